@@ -4,7 +4,7 @@ usage: check.py FILE.cpp COMPILER FLAGS...
 
 The first line of FILE is `// expect: REGEX`; the lines that misuse the library end in `// wrong`.
 Without those lines the file has to compile (so it fails for nothing else); with them it has to be
-refused with a message that matches REGEX. A file that starts with `// control` is compiled as it is
+refused with a message (`error:` or `note:`) that matches REGEX. A file that starts with `// control` is compiled as it is
 and has to pass: it shows that the compiler and its flags work at all.
 """
 
@@ -46,7 +46,8 @@ def judge(path, command):
     status, output = compile_text("".join(lines), path.name, command)
     if status == 0:
         return "compiles, and must not"
-    if not re.search(stated.group(1).strip(), output):
+    messages = "\n".join(line for line in output.splitlines() if re.search(r": (error|note):", line))
+    if not re.search(stated.group(1).strip(), messages):
         return f"is refused, but not for `{stated.group(1).strip()}`:\n{output}"
     return None
 
