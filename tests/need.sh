@@ -25,15 +25,8 @@ present() {
     esac
 }
 
-as_root() {
-    if [ "$(id -u)" = 0 ]; then
-        "$@"
-    elif command -v sudo > /dev/null; then
-        sudo "$@"
-    else
-        die "'$*' needs root: run this as root, or install sudo"
-    fi
-}
+root=()
+[ "$(id -u)" = 0 ] || root=(sudo)
 
 need() {
     local missing=() package log
@@ -42,6 +35,8 @@ need() {
     done
     [ ${#missing[@]} = 0 ] && return
     command -v apt-get > /dev/null || die "missing: ${missing[*]} (Debian's names), and there is no apt-get to install them"
+    [ ${#root[@]} = 0 ] || command -v sudo > /dev/null ||
+        die "missing: ${missing[*]}; run this as root, or install sudo, or install them yourself"
     echo "Installing with apt-get: ${missing[*]}"
     log=$(mktemp)
     if ! apt_install "${missing[@]}" > "$log" 2>&1; then
@@ -57,11 +52,11 @@ need() {
 
 # Package lists may be absent or out of date: fetch them if there are none, or if the install fails.
 apt_install() {
-    local install=(env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@")
-    if compgen -G '/var/lib/apt/lists/*_Packages*' > /dev/null && as_root "${install[@]}"; then
+    local install=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@")
+    if compgen -G '/var/lib/apt/lists/*_Packages*' > /dev/null && "${install[@]}"; then
         return
     fi
-    as_root apt-get update && as_root "${install[@]}"
+    "${root[@]}" apt-get update && "${install[@]}"
 }
 
 jobs=$(nproc 2> /dev/null || echo 2)
