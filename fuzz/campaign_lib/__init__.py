@@ -1,0 +1,1 @@
+"""The parts of fuzz/campaign. Only Python's standard library is used."""

@@ -1,0 +1,205 @@
+"""Tests of the campaign's parts that need no compiler."""
+import argparse
+import io
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from campaign_lib import corpus, display, engine, finds, options, report, schedule, state, toolchain
+
+STATUS = "#1048576\tREDUCE cov: 312 ft: 1501 corp: 207/31Kb lim: 4096 exec/s: 52428 rss: 61Mb L: 57/1024 MS: 2 CopyPart-Custom-"
+ASAN = """==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602 at pc 0x55 bp 0x7f sp 0x7e
+READ of size 1 at 0x602 thread T0
+    #0 0x55d1 in trama::daisy::decoder::next(std::span<unsigned char const, 18446744073709551615ul>&) /src/include/trama/daisy/decoder.hpp:91:20
+    #1 0x55d2 in void trama::fuzz::stream<trama::daisy::format>(int) /src/fuzz/harness.hpp:40:3
+    #2 0x55d3 in LLVMFuzzerTestOneInput /src/fuzz/targets/daisy_stream.cpp:4:68
+    #3 0x55d4 in fuzzer::Fuzzer::ExecuteCallback(unsigned char const*, unsigned long) (/x/fuzz+0x5a)
+
+0x602 is located 0 bytes to the right of 4-byte region
+"""
+UBSAN = """/src/include/trama/core/bytes.hpp:31:9: runtime error: shift exponent 64 is too large for 64-bit type
+    #0 0x55 in trama::xor_of_short(unsigned char const*, unsigned long) /src/include/trama/core/bytes.hpp:31:9
+"""
+
+
+class command_line(unittest.TestCase):
+    def test_durations(self):
+        for text, seconds in (("90", 90), ("90s", 90), ("10m", 600), ("1h30m", 5400), ("0.5h", 1800)):
+            self.assertEqual(options.duration(text), seconds)
+
+    def test_refuses_what_is_no_duration(self):
+        for text in ("", "m", "10x", "ten", "-5", "0", "5m junk"):
+            with self.assertRaises(argparse.ArgumentTypeError, msg=text):
+                options.duration(text)
+
+
+class targets(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.source = Path(self.folder.name)
+        for name in ("can_stream", "daisy_stream", "daisy_text"):
+            path = self.source / "fuzz" / "targets" / f"{name}.cpp"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.touch()
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_patterns_choose(self):
+        self.assertEqual(toolchain.targets(self.source), ["can_stream", "daisy_stream", "daisy_text"])
+        self.assertEqual(toolchain.targets(self.source, "*_stream"), ["can_stream", "daisy_stream"])
+        self.assertEqual(toolchain.targets(self.source, "fuzz_daisy_text, daisy_*"), ["daisy_text", "daisy_stream"])
+
+    def test_a_pattern_without_targets_is_an_error(self):
+        with self.assertRaisesRegex(toolchain.CannotRun, "daisy_text"):
+            toolchain.targets(self.source, "nothing")
+
+    def test_targets_share_their_formats_corpus_unless_they_have_their_own(self):
+        for name in ("daisy", "daisy_text"):
+            folder = self.source / "fuzz" / "corpus" / name
+            folder.mkdir(parents=True)
+            (folder / "seed").touch()
+        self.assertEqual(corpus.group(self.source, "daisy_stream"), "daisy")
+        self.assertEqual(corpus.group(self.source, "daisy_text"), "daisy_text")
+        self.assertEqual([f.name for f in corpus.seed_folders(self.source, "daisy_text")], ["daisy_text"])
+        self.assertEqual(corpus.seed_folders(self.source, "can_stream"), [])
+
+
+class reading_engines(unittest.TestCase):
+    def test_status_lines(self):
+        self.assertEqual(engine.parse_status(STATUS),
+                         {"runs": 1048576, "kind": "REDUCE", "coverage": 312, "features": 1501, "corpus": 207, "rate": 52428})
+        self.assertIsNone(engine.parse_status("INFO: Seed: 17"))
+
+    def test_a_fault_is_named_by_its_stack(self):
+        title, key = finds.signature(ASAN, "daisy_stream")
+        self.assertEqual(title, "heap-buffer-overflow in trama::daisy::decoder::next (decoder.hpp:91)")
+        moved = ASAN.replace("decoder.hpp:91:20", "decoder.hpp:95:2").replace("0x55d1", "0x77aa")
+        self.assertEqual(finds.signature(moved, "daisy_decode")[1], key)
+        self.assertNotEqual(finds.signature(ASAN.replace("decoder::next", "decoder::hunt"), "daisy_stream")[1], key)
+
+    def test_undefined_behaviour_is_named_by_place_and_kind(self):
+        title, key = finds.signature(UBSAN, "daisy_stream")
+        self.assertEqual(title, "shift exponent 64 is too large for 64-bit type at bytes.hpp:31")
+        self.assertEqual(finds.signature(UBSAN.replace("exponent 64", "exponent 72"), "daisy_stream")[1], key)
+
+    def test_broken_properties_are_told_apart_by_target_and_words(self):
+        said = "property broken: decode(encode(m)) == m, message 7\n"
+        title, key = finds.signature(said, "can_roundtrip")
+        self.assertEqual(title, "decode(encode(m)) == m, message 7")
+        self.assertEqual(finds.signature(said.replace("7", "12"), "can_roundtrip")[1], key)
+        self.assertNotEqual(finds.signature(said, "daisy_roundtrip")[1], key)
+
+    def test_no_failure_has_no_name(self):
+        self.assertIsNone(finds.signature("Executed 1 runs\n", "can_roundtrip"))
+
+
+class shrinking(unittest.TestCase):
+    def test_keeps_only_what_is_needed(self):
+        small = finds.shrink(b"junk" * 20 + b"a..b" + b"more" * 9, lambda o: b"a" in o and b"b" in o[o.index(b"a"):], 10)
+        self.assertEqual(small, b"ab")
+
+    def test_octets_that_do_not_matter_become_zero(self):
+        self.assertEqual(finds.shrink(b"xyz!", lambda o: len(o) >= 3 and o[-1:] == b"!", 10), b"\0\0!")
+
+    def test_stops_when_time_is_up(self):
+        ticks = iter(range(10000))
+        self.assertEqual(finds.shrink(b"abcd", lambda o: True, 0, now=lambda: next(ticks)), b"abcd")
+
+
+class sharing_time(unittest.TestCase):
+    def test_the_least_served_target_that_is_not_running_comes_next(self):
+        seconds = {"a": 10.0, "b": 3.0, "c": 5.0}
+        self.assertEqual(schedule.next_target(["a", "b", "c"], seconds, {}), "b")
+        self.assertEqual(schedule.next_target(["a", "b", "c"], seconds, {"b": 1}), "c")
+
+    def test_slices_are_bounded(self):
+        self.assertEqual(schedule.slice_seconds(10, 1, 20), 5)
+        self.assertEqual(schedule.slice_seconds(100000, 8, 1), 60)
+
+    def test_every_variant_gets_its_turn(self):
+        self.assertEqual([schedule.variant_of(i, True) for i in range(4)], ["fast", "checked", "afl", "fast"])
+        self.assertEqual([schedule.variant_of(i, False) for i in range(3)], ["fast", "checked", "fast"])
+
+
+class keeping_state(unittest.TestCase):
+    def test_an_interrupted_campaign_goes_on_and_a_finished_one_starts_again(self):
+        with tempfile.TemporaryDirectory() as out:
+            s = state.State(out, 60, ["can_stream"])
+            self.assertFalse(s.resumed)
+            s.data["left"] = 21.5
+            s.add_slice("can_stream", "fast", 1000, 38.5)
+            s.save()
+            s = state.State(out, 60, ["can_stream"])
+            self.assertTrue(s.resumed)
+            self.assertEqual((s.data["left"], s.data["rounds"], s.target("can_stream")["executions"]), (21.5, 1, 1000))
+            s.data["left"] = -0.2
+            s.save()
+            s = state.State(out, 60, ["can_stream"])
+            self.assertEqual((s.data["left"], s.data["rounds"], s.target("can_stream")["executions"]), (60, 2, 1000))
+
+    def test_a_damaged_state_is_put_aside(self):
+        with tempfile.TemporaryDirectory() as out:
+            Path(out, "state.json").write_text("{half")
+            self.assertFalse(state.State(out, 60, []).resumed)
+            self.assertTrue(Path(out, "state.damaged").exists())
+
+    def test_the_curve_only_rises(self):
+        with tempfile.TemporaryDirectory() as out:
+            s = state.State(out, 60, ["t"])
+            for at, coverage in ((0, 5), (1, 9), (2, 7), (3, 12)):
+                s.add_point("t", at, coverage, coverage * 3)
+            self.assertEqual(s.target("t")["curve"], [[0, 5], [1, 9], [3, 12]])
+
+
+class corpora(unittest.TestCase):
+    def test_whatever_interrupts_the_swap_a_whole_corpus_is_left(self):
+        for names in (("c",), ("c", "c.small"), ("c.old", "c.small"), ("c", "c.old")):
+            with tempfile.TemporaryDirectory() as out:
+                for name in names:
+                    Path(out, name).mkdir()
+                    Path(out, name, "input").write_text("whole" if name != "c.small" else "part")
+                corpus.repair(Path(out, "c"))
+                self.assertEqual(sorted(p.name for p in Path(out).iterdir()), ["c"])
+                self.assertEqual(Path(out, "c", "input").read_text(), "whole")
+
+
+class showing(unittest.TestCase):
+    ROW = {"name": "can_stream", "running": ["fast"], "rate": 52000, "executions": 1234567, "coverage": 312, "corpus": 40, "new": 3, "finds": 0,
+           "seconds": 61}
+
+    def test_amounts_and_clocks(self):
+        self.assertEqual([display.amount(n) for n in (0, 999, 1500, 1234567, 5e9)], ["0", "999", "1.5k", "1.2M", "5.0G"])
+        self.assertEqual([display.clock(s) for s in (0, 61, 3661)], ["0:00", "1:01", "1:01:01"])
+
+    def test_without_a_terminal_it_prints_plain_lines(self):
+        stream = io.StringIO()
+        display.Display(stream).update([self.ROW], 30, 60, 2)
+        self.assertEqual(stream.getvalue(), "0:30 left, 2 finds, 1.2M executions: can_stream 52.0k/s cov 312 corpus 40 new 3\n")
+
+    def test_a_table_taller_than_the_terminal_keeps_head_foot_and_running_rows(self):
+        lines = display.Display._table([dict(self.ROW, name=f"t{i}", running=["fast"] if i == 19 else []) for i in range(20)], 30, 60, 0)
+        fitted = display.Display._fit(lines, 8)
+        self.assertEqual(len(fitted), 8)
+        self.assertTrue(any("t19" in line for line in fitted))
+
+    def test_the_report_escapes_what_programs_say(self):
+        with tempfile.TemporaryDirectory() as out:
+            s = state.State(out, 60, ["can_stream"])
+            s.add_point("can_stream", 1, 10, 20)
+            s.finds["ab"] = {"target": "can_stream", "targets": ["can_stream"], "title": "a < b", "variant": "fast", "count": 1, "size": 1,
+                             "original_size": 9, "folder": "finds/x", "found": 1.0}
+            o = argparse.Namespace(out=Path(out), jobs=1, empty_corpus=False, source=Path(out))
+            data = report.gather(s, o, ["can_stream"], {"clang": "true"}, {"can_stream": 4})
+            report.write(out, data)
+            page = Path(out, "report.html").read_text()
+            self.assertIn("a &lt; b", page)
+            self.assertNotIn("a < b", page)
+            self.assertIn("<svg", page)
+            self.assertNotIn("http", page)
+            self.assertEqual(json.loads(Path(out, "report.json").read_text())["targets"][0]["corpus"], 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
