@@ -1,0 +1,46 @@
+#!/bin/bash -eu
+# Builds every fuzz target the way OSS-Fuzz and ClusterFuzzLite ask for it: with $CXX and $CXXFLAGS, linked to
+# $LIB_FUZZING_ENGINE, into $OUT, each with its seed corpus, dictionary and options. $WORK holds the build.
+# FUZZ_TARGETS, when set, names the targets to build, such as "daisy_stream can_stream".
+
+source_dir=${SRC}/trama
+build_dir=${WORK}/trama
+targets=${FUZZ_TARGETS:-$(cd "$source_dir/fuzz/targets" && ls -- *.cpp | sed 's/\.cpp$//')}
+
+generator=()
+if command -v ninja > /dev/null; then generator=(-G Ninja); fi
+cmake -S "$source_dir" -B "$build_dir" "${generator[@]}" \
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$CXXFLAGS" \
+    -DTRAMA_BUILD_FUZZ=ON -DTRAMA_BUILD_TESTS=OFF -DTRAMA_FUZZ_ENGINE="$LIB_FUZZING_ENGINE"
+# shellcheck disable=SC2086
+cmake --build "$build_dir" -j "$(nproc)" --target $(printf 'fuzz_%s ' $targets)
+
+for target in $targets; do
+    name=fuzz_$target
+    format=${target%%_*}
+    cp "$build_dir/fuzz/$name" "$OUT/"
+
+    seeds=()
+    for folder in "$source_dir/fuzz/corpus/$target" "$source_dir/fuzz/regressions/$target"; do
+        if [ -d "$folder" ]; then seeds+=("$folder"); fi
+    done
+    if [ ! -d "$source_dir/fuzz/corpus/$target" ]; then seeds+=("$source_dir/fuzz/corpus/$format"); fi
+    # python3 packs it, so that no zip program is needed; the names in the archive are flat, as OSS-Fuzz expects.
+    python3 - "$OUT/${name}_seed_corpus.zip" "${seeds[@]}" << 'PACK'
+import pathlib, sys, zipfile
+with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
+    for folder in map(pathlib.Path, sys.argv[2:]):
+        for path in sorted(p for p in folder.rglob("*") if p.is_file()):
+            archive.write(path, f"{folder.name}-{path.name}")
+PACK
+
+    dictionary=$source_dir/fuzz/dict/$target.dict
+    if [ ! -f "$dictionary" ]; then dictionary=$source_dir/fuzz/dict/$format.dict; fi
+    {
+        echo "[libfuzzer]"
+        echo "max_len = 4096"
+        echo "timeout = 10"
+        if [ -f "$dictionary" ]; then echo "dict = $name.dict"; fi
+    } > "$OUT/$name.options"
+    if [ -f "$dictionary" ]; then cp "$dictionary" "$OUT/$name.dict"; fi
+done
