@@ -1,0 +1,136 @@
+#include <cmath>
+#include <map>
+
+#include "can_message.hpp"
+#include "can_table.hpp"
+#include "candump.hpp"
+#include "reference.hpp"
+
+namespace trama_reference {
+
+namespace {
+
+constexpr std::uint64_t second = 1'000'000'000;
+
+// The message of one identifier that is under way.
+struct partial {
+  const can_form* form = nullptr;
+  std::size_t line = 0;
+  std::size_t frames = 0;
+  octets data = {};
+  log_time last = {};
+};
+
+class reassembly {
+ public:
+  explicit reassembly(double timeout_seconds) {
+    const auto nanoseconds = static_cast<std::uint64_t>(std::llround(timeout_seconds * static_cast<double>(second)));
+    timeout_ = {nanoseconds / second, nanoseconds % second};
+  }
+
+  std::vector<std::string> lines = {};
+
+  void feed_line(std::size_t number, std::string_view line) {
+    const std::optional<log_frame> frame = parse_candump(line);
+    if (!frame) {
+      lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}");
+      return;
+    }
+    tick(frame->time);
+    if (frame->standard && frame->id >= 0x80 && frame->id <= 0x82) feed(number, *frame);
+  }
+
+  void end() {
+    for (const auto& [id, under_way] : partials_) error(id, under_way, "truncated");
+    partials_.clear();
+  }
+
+ private:
+  // Ascending identifiers where several time out at once.
+  void tick(const log_time& now) {
+    for (std::uint32_t id = 0x80; id <= 0x82; ++id) {
+      const auto found = partials_.find(id);
+      if (found == partials_.end() || !older_than_timeout(found->second.last, now)) continue;
+      error(id, found->second, "timed_out");
+      partials_.erase(found);
+    }
+  }
+
+  bool older_than_timeout(const log_time& last, const log_time& now) const {
+    if (now < last) return false;
+    log_time age = {now.seconds - last.seconds, now.nanoseconds};
+    if (age.nanoseconds < last.nanoseconds) {
+      --age.seconds;
+      age.nanoseconds += second;
+    }
+    age.nanoseconds -= last.nanoseconds;
+    return age > timeout_;
+  }
+
+  void feed(std::size_t line, const log_frame& frame) {
+    const auto found = partials_.find(frame.id);
+    if (found == partials_.end()) return first_frame(line, frame);
+    partial& under_way = found->second;
+    if (under_way.form->lengths[under_way.frames] != frame.data.size()) {
+      error(frame.id, under_way, "incomplete");
+      partials_.erase(found);
+      return first_frame(line, frame);
+    }
+    under_way.data.insert(under_way.data.end(), frame.data.begin(), frame.data.end());
+    ++under_way.frames;
+    under_way.last = frame.time;
+    if (under_way.frames < under_way.form->lengths.size()) return;
+    message(frame.id, under_way);
+    partials_.erase(found);
+  }
+
+  void first_frame(std::size_t line, const log_frame& frame) {
+    partial started = {nullptr, line, 1, frame.data, frame.time};
+    if (frame.data.size() < 3) return error(frame.id, started, "bad_length");
+    const std::uint8_t letter = frame.data[2];
+    if (!known_can_letter(letter)) return error(frame.id, started, "unknown_message");
+    started.form = find_can_form(letter, frame.data.size());
+    if (started.form == nullptr) return error(frame.id, started, "bad_length");
+    if (started.form->lengths.size() == 1) return message(frame.id, started);
+    partials_[frame.id] = started;
+  }
+
+  static std::string head(std::uint32_t id, const partial& frames) {
+    return "{\"protocol\":\"can\",\"line\":" + std::to_string(frames.line) +
+           ",\"frames\":" + std::to_string(frames.frames) + ",\"id\":" + std::to_string(id);
+  }
+
+  void error(std::uint32_t id, const partial& frames, const std::string& code, const std::string& rest = "") {
+    lines.push_back(head(id, frames) + ",\"error\":\"" + code + "\"" + bytes_member(frames.data) + rest + "}");
+  }
+
+  void message(std::uint32_t id, const partial& frames) {
+    const can_meaning meaning = read_can_message(*frames.form, frames.data);
+    if (!meaning.bad_number.empty()) {
+      return error(id, frames, "bad_number", ",\"field\":\"" + meaning.bad_number + "\"");
+    }
+    lines.push_back(head(id, frames) + ",\"message\":\"" + frames.form->name + "\",\"fields\":" + meaning.fields +
+                    violations_member(meaning.violations) + "}");
+  }
+
+  log_time timeout_ = {};
+  std::map<std::uint32_t, partial> partials_ = {};
+};
+
+}  // namespace
+
+std::vector<std::string> can_lines(std::string_view candump_log, double timeout_seconds) {
+  reassembly reassembled(timeout_seconds);
+  std::size_t number = 0;
+  while (!candump_log.empty()) {
+    const std::size_t line_feed = candump_log.find('\n');
+    std::string_view line = candump_log.substr(0, line_feed);
+    candump_log.remove_prefix(line_feed == std::string_view::npos ? candump_log.size() : line_feed + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    reassembled.feed_line(++number, line);
+  }
+  reassembled.end();
+  return reassembled.lines;
+}
+
+}  // namespace trama_reference

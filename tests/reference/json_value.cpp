@@ -1,0 +1,221 @@
+#include "json_value.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace trama_reference {
+
+namespace {
+
+constexpr int deepest = 32;
+
+class parser {
+ public:
+  explicit parser(std::string_view text) : text_(text) {}
+
+  json_value whole() {
+    json_value result = value(0);
+    skip_space();
+    if (at_ != text_.size()) throw refused("text after the value");
+    return result;
+  }
+
+ private:
+  char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;
+  }
+
+  bool take(std::string_view word) {
+    if (text_.substr(at_, word.size()) != word) return false;
+    at_ += word.size();
+    return true;
+  }
+
+  void need(std::string_view word) {
+    skip_space();
+    if (!take(word)) throw refused("expected " + std::string(word));
+  }
+
+  json_value value(int depth) {
+    if (depth > deepest) throw refused("nested too deeply");
+    skip_space();
+    json_value result;
+    if (peek() == '{') return object(depth);
+    if (peek() == '[') return list(depth);
+    if (peek() == '"') {
+      result.type = json_value::kind::string;
+      result.bytes = string_bytes();
+    } else if (take("true") || take("false")) {
+      result.type = json_value::kind::boolean;
+    } else if (!take("null")) {
+      result.type = json_value::kind::number;
+      result.number_text = number();
+    }
+    return result;
+  }
+
+  json_value object(int depth) {
+    json_value result;
+    result.type = json_value::kind::object;
+    need("{");
+    skip_space();
+    if (take("}")) return result;
+    do {
+      skip_space();
+      const octets key = string_bytes();
+      need(":");
+      const std::string name(key.begin(), key.end());
+      if (result.find(name) != nullptr) throw refused("member given twice: " + name);
+      result.names.push_back(name);
+      result.items.push_back(value(depth + 1));
+      skip_space();
+    } while (take(","));
+    need("}");
+    return result;
+  }
+
+  json_value list(int depth) {
+    json_value result;
+    result.type = json_value::kind::array;
+    need("[");
+    skip_space();
+    if (take("]")) return result;
+    do {
+      result.items.push_back(value(depth + 1));
+      skip_space();
+    } while (take(","));
+    need("]");
+    return result;
+  }
+
+  std::string digits() {
+    const std::size_t start = at_;
+    while (peek() >= '0' && peek() <= '9') ++at_;
+    if (at_ == start) throw refused("digits expected");
+    return std::string(text_.substr(start, at_ - start));
+  }
+
+  std::string number() {
+    const std::size_t start = at_;
+    take("-");
+    const std::string whole_part = digits();
+    if (whole_part.size() > 1 && whole_part[0] == '0') throw refused("leading zero");
+    if (take(".")) digits();
+    if (take("e") || take("E")) {
+      if (!take("+")) take("-");
+      digits();
+    }
+    return std::string(text_.substr(start, at_ - start));
+  }
+
+  octets string_bytes() {
+    need("\"");
+    octets bytes;
+    while (peek() != '"') {
+      const std::uint32_t character = take("\\") ? escaped() : plain();
+      if (character > 0xFF) throw refused("a character that is no byte");
+      bytes.push_back(static_cast<std::uint8_t>(character));
+    }
+    need("\"");
+    return bytes;
+  }
+
+  std::uint32_t plain() {
+    if (at_ >= text_.size()) throw refused("string not closed");
+    const auto first = static_cast<std::uint8_t>(text_[at_++]);
+    if (first < 0x20) throw refused("control character in a string");
+    if (first < 0x80) return first;
+    // UTF-8: only two-byte sequences can give a character up to U+00FF.
+    if (first != 0xC2 && first != 0xC3) throw refused("a character that is no byte");
+    const auto second = static_cast<std::uint8_t>(peek());
+    if ((second & 0xC0) != 0x80) throw refused("broken UTF-8");
+    ++at_;
+    return (static_cast<std::uint32_t>(first & 0x03) << 6) | (second & 0x3FU);
+  }
+
+  std::uint32_t escaped() {
+    const char letter = peek();
+    ++at_;
+    switch (letter) {
+      case '"': case '\\': case '/': return static_cast<std::uint32_t>(letter);
+      case 'b': return 0x08;
+      case 'f': return 0x0C;
+      case 'n': return 0x0A;
+      case 'r': return 0x0D;
+      case 't': return 0x09;
+      case 'u': break;
+      default: throw refused("unknown escape");
+    }
+    std::uint32_t code = 0;
+    for (int i = 0; i < 4; ++i, ++at_) code = code * 16 + hex_digit(peek());
+    return code;
+  }
+
+  static std::uint32_t hex_digit(char digit) {
+    if (digit >= '0' && digit <= '9') return static_cast<std::uint32_t>(digit - '0');
+    if (digit >= 'a' && digit <= 'f') return static_cast<std::uint32_t>(digit - 'a' + 10);
+    if (digit >= 'A' && digit <= 'F') return static_cast<std::uint32_t>(digit - 'A' + 10);
+    throw refused("hex digit expected");
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+const json_value* json_value::find(std::string_view name) const {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return &items[i];
+  }
+  return nullptr;
+}
+
+json_value parse_json(std::string_view line) { return parser(line).whole(); }
+
+long long integer(const json_value& value, long long low, long long high) {
+  const std::string& text = value.number_text;
+  if (value.type != json_value::kind::number) throw refused("a number expected");
+  if (text.find_first_of(".eE") != std::string::npos) throw refused("an integer expected");
+  if (text.size() > 18) throw refused("number too large");
+  const long long number = std::stoll(text);
+  if (number < low || number > high) throw refused("number out of range");
+  return number;
+}
+
+std::string string(const json_value& value) {
+  if (value.type != json_value::kind::string) throw refused("a string expected");
+  return {value.bytes.begin(), value.bytes.end()};
+}
+
+const std::vector<json_value>& array(const json_value& value, std::size_t size) {
+  if (value.type != json_value::kind::array) throw refused("an array expected");
+  if (value.items.size() != size) throw refused("an array of the wrong length");
+  return value.items;
+}
+
+void expect_members(const json_value& object, const std::vector<std::string>& known,
+                    const std::vector<std::string>& ignored) {
+  if (object.type != json_value::kind::object) throw refused("an object expected");
+  for (const std::string& name : object.names) {
+    if (!contains(known, name) && !contains(ignored, name)) throw refused("unknown field " + name);
+  }
+}
+
+json_value parse_line(std::string_view line, std::string_view protocol, std::vector<std::string> own) {
+  json_value object = parse_json(line);
+  own.insert(own.end(), {"protocol", "message", "fields"});
+  expect_members(object, own, {"offset", "length", "line", "frames", "violations"});
+  const json_value* given = object.find("protocol");
+  if (given != nullptr && string(*given) != protocol) throw refused("another protocol");
+  if (object.find("message") == nullptr) throw refused("no message");
+  return object;
+}
+
+}  // namespace trama_reference
