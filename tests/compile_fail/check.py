@@ -20,7 +20,8 @@ def compile_text(text, name, command):
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder, name)
         source.write_text(text)
-        run = subprocess.run(command + ["-S", "-o", str(pathlib.Path(folder, "out.s")), str(source)],
+        # Messages in plain English, whatever the user's language.
+        run = subprocess.run(["env", "LC_ALL=C"] + command + ["-S", "-o", str(pathlib.Path(folder, "out.s")), str(source)],
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         return run.returncode, run.stdout
 
@@ -46,7 +47,7 @@ def judge(path, command):
     status, output = compile_text("".join(lines), path.name, command)
     if status == 0:
         return "compiles, and must not"
-    messages = "\n".join(line for line in output.splitlines() if re.search(r": (error|note):", line))
+    messages = "\n".join(re.findall(r": (?:error|note): (.*)", output))
     if not re.search(stated.group(1).strip(), messages):
         return f"is refused, but not for `{stated.group(1).strip()}`:\n{output}"
     return None
