@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -24,7 +25,8 @@ struct partial {
 class reassembly {
  public:
   explicit reassembly(double timeout_seconds) {
-    const auto nanoseconds = static_cast<std::uint64_t>(std::llround(timeout_seconds * static_cast<double>(second)));
+    const double in_range = std::clamp(timeout_seconds, 0.0, 9e9);
+    const auto nanoseconds = static_cast<std::uint64_t>(std::llround(in_range * static_cast<double>(second)));
     timeout_ = {nanoseconds / second, nanoseconds % second};
   }
 

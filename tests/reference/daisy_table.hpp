@@ -55,7 +55,7 @@ bool documented_addresses(std::uint8_t destination, std::uint8_t source, std::ui
 /// Whether the message can have this LEN, as far as the first DATA byte (if known) tells.
 bool length_possible(const message_form& message, std::uint8_t len, std::optional<std::uint8_t> first_data);
 
-/// The five integers, masks and so on of `readings` and of the requests share this one.
+/// `sensors`, the mask that heads `readings` and stands alone in other messages.
 number_field sensor_mask();
 
 }  // namespace trama_reference
