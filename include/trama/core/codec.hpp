@@ -1,0 +1,178 @@
+#pragma once
+
+#include <span>
+
+#include "trama/core/layout.hpp"
+
+namespace trama {
+
+template <has_layout M>
+constexpr std::uint64_t load_fields(const std::uint8_t* p, M& m) noexcept;
+template <has_layout M>
+constexpr void store_fields(std::uint8_t* p, const M& m) noexcept;
+template <has_layout M>
+constexpr field_ref locate_fields(const std::uint8_t* p) noexcept;
+
+/// Reads one value of wire type `W`. Nonzero when the bytes are malformed; `v` is then unspecified.
+template <class W, class V>
+[[gnu::always_inline]] constexpr std::uint64_t load_value(const std::uint8_t* p, V& v) noexcept {
+    if constexpr (requires { typename W::element; }) {
+        std::uint64_t bad = 0;
+        for (std::size_t i = 0; i != W::count; ++i) bad |= load_value<typename W::element>(p + i * W::element::size, v[i]);
+        return bad;
+    } else if constexpr (requires { W::gather(p); }) {
+        return load_fields(W::gather(p).data(), v);
+    } else if constexpr (has_layout<V>) {
+        return load_fields(p, v);
+    } else if constexpr (std::is_enum_v<V> || std::integral<V>) {
+        typename W::value raw{};
+        const std::uint64_t bad = W::load(p, raw);
+        v = static_cast<V>(raw);
+        return bad;
+    } else {
+        return W::load(p, v);
+    }
+}
+
+/// Writes one value of wire type `W`. Precondition: the wire can carry it.
+template <class W, class V>
+[[gnu::always_inline]] constexpr void store_value(std::uint8_t* p, const V& v) noexcept {
+    if constexpr (wire::variable<W>) W::store(p, v);
+    else if constexpr (requires { typename W::element; })
+        for (std::size_t i = 0; i != W::count; ++i) store_value<typename W::element>(p + i * W::element::size, v[i]);
+    else if constexpr (requires { W::gather(p); }) {
+        std::array<std::uint8_t, V::layout.size> whole{};
+        store_fields(whole.data(), v);
+        W::scatter(p, whole);
+    } else if constexpr (has_layout<V>) store_fields(p, v);
+    else if constexpr (std::is_enum_v<V> || std::integral<V>) W::store(p, static_cast<typename W::value>(v));
+    else W::store(p, v);
+}
+
+/// Reads the fields of a fixed layout. Each returns its badness as a word and they are OR-ed: no branch on the way.
+template <has_layout M>
+constexpr std::uint64_t load_fields(const std::uint8_t* p, M& m) noexcept {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+        return (std::uint64_t{0} | ... | load_value<typename decltype(field_of<M, I>)::wire_type>(p + M::layout.offsets[I], m.*field_of<M, I>.member));
+    }(std::make_index_sequence<M::layout.count>{});
+}
+
+/// Writes the fields of a fixed layout.
+template <has_layout M>
+constexpr void store_fields(std::uint8_t* p, const M& m) noexcept {
+    each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {
+        store_value<typename decltype(field_of<M, I>)::wire_type>(p + M::layout.offsets[I], m.*field_of<M, I>.member);
+    });
+}
+
+/// Where inside a value of wire type `W` the malformed bytes are; false when there are none.
+template <class W, class V>
+constexpr bool locate_value(const std::uint8_t* p, field_ref& at) noexcept {
+    V scratch{};
+    if constexpr (requires { typename W::element; }) {
+        for (std::size_t i = 0; i != W::count; ++i)
+            if (locate_value<typename W::element, typename V::value_type>(p + i * W::element::size, at)) {
+                at.index = static_cast<std::uint8_t>(i);
+                return true;
+            }
+        return false;
+    } else if constexpr (has_layout<V>) {
+        if (load_value<W>(p, scratch) == 0) return false;
+        if constexpr (requires { W::gather(p); }) at.sub = locate_fields<V>(W::gather(p).data()).field;
+        else at.sub = locate_fields<V>(p).field;
+        return true;
+    } else {
+        return load_value<W>(p, scratch) != 0;
+    }
+}
+
+/// The first malformed field of a fixed layout. The slow path, taken only after `load_fields` reported badness.
+template <has_layout M>
+constexpr field_ref locate_fields(const std::uint8_t* p) noexcept {
+    field_ref at{};
+    each_index<M>([&]<std::size_t I>() {
+        if (at.field != field_ref::none) return;
+        field_ref inner{};
+        using one = std::remove_cvref_t<decltype(field_of<M, I>)>;
+        if (!locate_value<typename one::wire_type, typename one::value>(p + M::layout.offsets[I], inner)) return;
+        at = {static_cast<std::uint8_t>(I), inner.index, inner.sub};
+    });
+    return at;
+}
+
+/// Bytes that field `I` of `m` takes when `left` bytes remain; the fields before it have been read.
+template <class M, std::size_t I>
+constexpr std::size_t measure(const M& m, std::size_t left) noexcept {
+    using one = std::remove_cvref_t<decltype(field_of<M, I>)>;
+    using wire_type = typename one::wire_type;
+    if (!one::exists(m)) return 0;
+    if constexpr (requires { wire_type::keep; }) return left >= wire_type::keep + wire_type::min ? left - wire_type::keep : left + 1;
+    else if constexpr (wire::variable<wire_type>) return m.expected_count() * wire_type::element::size;
+    else return wire_type::size;
+}
+
+/// Reads a layout with optional or variable fields. False when `n` is not the size that the fields ask for.
+template <has_layout M>
+constexpr bool load_variable(const std::uint8_t* p, std::size_t n, M& m) noexcept {
+    std::size_t at = 0;
+    bool fits = true;
+    each_index<M>([&]<std::size_t I>() {
+        if (!fits) return;
+        using wire_type = typename decltype(field_of<M, I>)::wire_type;
+        const std::size_t size = measure<M, I>(m, n - at);
+        fits = size <= n - at;
+        if (!fits || !field_of<M, I>.exists(m)) return;
+        if constexpr (wire::variable<wire_type>) (void)wire_type::load(p + at, size, m.*field_of<M, I>.member);
+        else (void)load_value<wire_type>(p + at, m.*field_of<M, I>.member);
+        at += size;
+    });
+    return fits && at == n;
+}
+
+/// Bytes that the fields of `m` take on the wire.
+template <has_layout M>
+constexpr std::size_t body_size(const M& m) noexcept {
+    if constexpr (M::layout.fixed) {
+        return M::layout.size;
+    } else {
+        std::size_t total = 0;
+        each_index<M>([&]<std::size_t I>() {
+            using wire_type = typename decltype(field_of<M, I>)::wire_type;
+            if (!field_of<M, I>.exists(m)) return;
+            if constexpr (wire::variable<wire_type>) total += wire_type::length(m.*field_of<M, I>.member);
+            else total += wire_type::size;
+        });
+        return total;
+    }
+}
+
+/// Writes the fields of `m`, `body_size(m)` bytes.
+template <has_layout M>
+constexpr void store_body(std::uint8_t* p, const M& m) noexcept {
+    if constexpr (M::layout.fixed) {
+        store_fields(p, m);
+    } else {
+        each_index<M>([&]<std::size_t I>() {
+            using wire_type = typename decltype(field_of<M, I>)::wire_type;
+            if (!field_of<M, I>.exists(m)) return;
+            store_value<wire_type>(p, m.*field_of<M, I>.member);
+            if constexpr (wire::variable<wire_type>) p += wire_type::length(m.*field_of<M, I>.member);
+            else p += wire_type::size;
+        });
+    }
+}
+
+/// Decodes the fields of `body` into `m`, which is unspecified on error: `bad_length`, or `bad_number` with its field.
+template <has_layout M>
+constexpr error load_body(std::span<const std::uint8_t> body, M& m) noexcept {
+    if constexpr (M::layout.fixed) {
+        if (body.size() != M::layout.size) [[unlikely]] return {errc::bad_length, {}};
+        if (load_fields(body.data(), m) == 0) [[likely]] return {};
+        return {errc::bad_number, locate_fields<M>(body.data())};
+    } else {
+        m = M{};
+        return load_variable(body.data(), body.size(), m) ? error{} : error{errc::bad_length, {}};
+    }
+}
+
+}  // namespace trama

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "trama/daisy/messages.hpp"
+
+namespace trama::daisy {
+
+inline constexpr std::size_t unknown = messages::count;  ///< The index of a packet that no table defines.
+inline constexpr std::size_t header_size = 4;            ///< LARGO, DESTINO, ORIGEN, COMANDO. [daisy §2]
+inline constexpr std::size_t min_packet = 5;             ///< With CRC, without DATO.
+inline constexpr std::size_t max_packet = 256;           ///< LARGO is one byte and counts what follows it.
+
+inline constexpr std::uint16_t variable = 0x100;         ///< No LARGO byte has this value.
+
+/// Facts about each message that the decoder needs for every packet, derived from the message list.
+struct catalogue {
+    /// Message by family (0..5, 6 for battery_controller's second group, 7 for none), response bit, family bit and low nibble.
+    std::array<std::uint8_t, 8 * 64> index{};
+    std::array<std::uint16_t, unknown + 1> fixed_len{};  ///< LARGO of a fixed message, `variable` of the others.
+    std::array<daisy::key, unknown + 1> keys{};
+
+    consteval catalogue() {
+        for (auto& i : index) i = unknown;
+        for (auto& len : fixed_len) len = variable;
+        std::size_t at = 0;
+        messages::each([&]<class M>() {
+            keys[at] = M::key;
+            if constexpr (M::layout.fixed) fixed_len[at] = header_size + M::layout.size;
+            for (unsigned group = 0; group != 8; ++group)
+                if (family_of(M::key) == family::common || family_of(M::key) == family_of(group)) index[slot(group, command_of(M::key))] = static_cast<std::uint8_t>(at);
+            ++at;
+        });
+    }
+    /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
+    static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
+};
+inline constexpr catalogue known{};
+
+/// Index in `messages` of `command` between two boards, or `unknown`. [D3]
+constexpr std::size_t index_of(unsigned destination, unsigned source, unsigned command) noexcept {
+    const unsigned near = (command & response_bit) != 0 ? source >> 4 : destination >> 4;
+    const unsigned far = (command & response_bit) != 0 ? destination >> 4 : source >> 4;
+    const unsigned group = near != 0 ? near : far;
+    const std::size_t at = known.index[catalogue::slot(group < 7 ? group : 7, command)];
+    return (command & 0x30) == 0 ? at : unknown;
+}
+
+/// True when the groups are the document's, or everyone is called with a common command. [daisy §4]
+constexpr bool documented_addresses(unsigned destination, unsigned source, unsigned command) noexcept {
+    const bool everyone_called = destination == everyone.octet && (command & family_bit) == 0;
+    return source < 0x70 && (destination < 0x70 || everyone_called);
+}
+
+/// Whether the message at `index` can have DATA of `size` bytes; `first` is its first byte, null while that has not come.
+constexpr bool body_fits(std::size_t index, std::size_t size, const std::uint8_t* first) noexcept {
+    if (known.fixed_len[index] != variable) return size + header_size == known.fixed_len[index];
+    bool fits = false;
+    messages::at(index, [&]<class M>() {
+        if constexpr (!M::layout.fixed) fits = M::body_fits(size, first);
+    });
+    return fits;
+}
+
+}  // namespace trama::daisy

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "trama/daisy/phase.hpp"
+
+namespace trama::daisy {
+
+/// What `decoder::next` reports. Views live until the decoder's next call.
+struct event : basic_event<packet> {
+    std::span<const std::uint8_t> rejected{};  ///< Of bad_checksum: the packet as its LARGO delimits it, to be sent back in an ERROR.
+    std::uint8_t expected = 0;                 ///< Of bad_checksum: the CRC that `rejected` should have.
+    std::uint8_t received = 0;                 ///< Of bad_checksum: the CRC that it has.
+};
+
+/// Cuts a serial stream into packets and finds its footing again after every fault. [daisy §2]
+///
+/// It begins by hunting: until a packet with a documented header and a good CRC turns up, all else is noise. In step
+/// it takes every packet with a good CRC, undocumented ones as `unknown_message`, as long as nothing speaks for another
+/// phase. A fault is one event, which covers everything up to the next packet accepted.
+///
+/// Bound: an intact documented packet that begins 256 bytes or more after the last damaged byte is delivered.
+class decoder {
+public:
+    /// Takes bytes from the front of `in` and reports one packet or error, or `need_more` with `in` empty.
+    /// A packet lying whole in `in` is viewed in place, one that straddles chunks in the decoder's own memory.
+    constexpr event next(std::span<const std::uint8_t>& in) noexcept {
+        constexpr std::size_t readable = 16;
+        static_assert(*std::max_element(known.fixed_len.begin(), known.fixed_len.end(), [](auto a, auto b) { return a % variable < b % variable; }) < readable);
+        if (steady_ && in.size() >= readable) [[likely]] {
+            const auto head = load_le<std::uint32_t>(in.data());
+            const unsigned len = head & 0xFF, destination = head >> 8 & 0xFF, source = head >> 16 & 0xFF;
+            const std::size_t index = index_of(destination, source, head >> 24);
+            const bool good = known.fixed_len[index] == len && documented_addresses(destination, source, head >> 24);
+            if (good && in.size() > len && xor_of_short(in.data(), len + 1) == 0) [[likely]] {
+                const auto whole = in.first(len + 1);
+                in = in.subspan(len + 1);
+                phase_.confirm();
+                return deliver(whole, index);
+            }
+        }
+        auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
+        const event e = advance(rest);
+        in = rest;
+        return e;
+    }
+
+    /// The line fell silent: a partial packet is `truncated`, the next byte is a packet's first. Call `next` until it
+    /// needs more, with an empty span or the bytes that follow.
+    constexpr void idle() noexcept { draining_ = true; steady_ = false; }
+    /// The input ends here. As `idle`.
+    constexpr void finish() noexcept { idle(); }
+    /// As a new decoder, hunting at offset 0; only the counters stay.
+    constexpr void reset() noexcept {
+        const trama::counters kept = counters_;
+        *this = decoder{};
+        counters_ = kept;
+    }
+    /// Bytes consumed and not yet reported.
+    constexpr std::size_t pending() const noexcept { return held() - release_ + skipped_; }
+    constexpr const trama::counters& counters() const noexcept { return counters_; }
+    /// Offset of the first byte not yet reported.
+    constexpr std::uint64_t offset() const noexcept { return offset_; }
+
+private:
+    using bytes_in = std::span<const std::uint8_t>;
+
+    constexpr std::size_t held() const noexcept { return end_ - begin_; }
+    constexpr window bytes(std::span<const std::uint8_t> in) const noexcept { return {{stash_.data() + begin_, held()}, in}; }
+
+    constexpr event deliver(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
+        event e{};
+        e.code = index == unknown ? errc::unknown_message : errc::ok;
+        e.packet = packet(whole, index);
+        e.offset = offset_;
+        e.length = whole.size();
+        if (index == unknown) {
+            e.bytes = whole;
+            ++counters_.errors[static_cast<std::size_t>(errc::unknown_message)];
+        } else {
+            ++counters_.packets;
+        }
+        offset_ += whole.size();
+        return e;
+    }
+
+    // decoder_recovery.hpp holds these.
+    constexpr event advance(bytes_in& in) noexcept;
+    constexpr event step(bytes_in& in) noexcept;
+    constexpr event rest() noexcept;
+    constexpr event wait(bytes_in& in) noexcept;
+    constexpr event fault(errc code, bytes_in& in) noexcept;
+    constexpr event hunt(bytes_in& in) noexcept;
+    constexpr event drain(bytes_in& in) noexcept;
+    constexpr event report() noexcept;
+    constexpr std::span<const std::uint8_t> gather(std::size_t size, bytes_in& in) noexcept;
+    constexpr void keep(std::size_t n, bytes_in& in) noexcept;
+    constexpr void skip(std::size_t n, bytes_in& in) noexcept;
+
+    bool steady_ = false;    ///< In step, with nothing kept or announced: the fast path may try.
+    bool hunting_ = true;
+    bool draining_ = false;  ///< The input ended: what is kept is all there is.
+    bool certain_ = false;   ///< The hunt has accepted the packet at the front.
+    errc code_ = errc::noise;
+    phase_judge phase_{};
+    std::size_t begin_ = 0, end_ = 0;  ///< The kept bytes in the stash.
+    std::size_t release_ = 0;          ///< Of them, those that the packet reported last views.
+    std::size_t skipped_ = 0;   ///< Bytes of the loss of step so far.
+    std::size_t rejected_ = 0;  ///< Size of the packet with the bad CRC.
+    std::size_t probe_ = 0;
+    std::uint64_t offset_ = 0;
+    trama::counters counters_{};
+    std::array<std::uint8_t, max_packet> stash_{};
+    std::array<std::uint8_t, max_packet> scratch_{};  ///< Skipped bytes while hunting, the shadow's past while in step.
+};
+
+}  // namespace trama::daisy
+
+#include "trama/daisy/decoder_recovery.hpp"

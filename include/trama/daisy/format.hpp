@@ -1,0 +1,66 @@
+#pragma once
+
+#include "trama/daisy/decoder.hpp"
+
+/// Binary packets on an RS-232 daisy chain of robot boards. [daisy]
+namespace trama::daisy {
+
+inline constexpr rule source_rule{0, -1, -1, 0, {}, "id 0..14"};
+inline constexpr rule destination_rule{0, -1, -1, 0, {}, "an address of the family that defines the command"};
+
+/// The daisy-chain format as the generic harnesses see it.
+struct format {
+    using unit = std::uint8_t;
+    using packet = daisy::packet;
+    using event = daisy::event;
+    using envelope = daisy::envelope;
+    using decoder = daisy::decoder;
+    using messages = daisy::messages;
+    static constexpr std::string_view name = "daisy";
+    static constexpr std::size_t max_units = max_packet;
+
+    /// Bytes that `m` takes as a packet.
+    template <has_layout M>
+        requires(messages::contains<M>)
+    static constexpr std::size_t encoded_size(const M& m) noexcept { return min_packet + body_size(m); }
+
+    /// Calls `f(const violation&)` for what the document does not allow in the addresses.
+    template <has_layout M>
+    static constexpr void for_each_violation(const daisy::envelope& e, const M&, auto&& f) noexcept {
+        if (e.source.broadcast()) f(violation{{field_ref::source}, e.source.octet, &source_rule});
+    }
+
+    /// Writes `m` as a packet to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with the first field
+    /// that has a violation, or with `destination` when the addresses imply another family [D3]. Nothing is written on error.
+    template <has_layout M>
+        requires(messages::contains<M>)
+    static constexpr result<std::size_t> encode(const daisy::envelope& e, const M& m, std::span<unit> out) noexcept {
+        if (e.source.broadcast()) return trama::error{errc::out_of_range, {field_ref::source}};
+        if (!is_valid(m)) return refusal(m);
+        return encode_unchecked(e, m, out);
+    }
+    /// As `encode`, for values that the document does not allow yet the wire can carry.
+    template <has_layout M>
+        requires(messages::contains<M>)
+    static constexpr result<std::size_t> encode_unchecked(const daisy::envelope& e, const M& m, std::span<unit> out) noexcept {
+        if (family_of(e, command_of(M::key)) != family_of(M::key)) return trama::error{errc::out_of_range, {field_ref::destination}};
+        if (!fits_wire(m)) return unfit(m);
+        const std::size_t size = encoded_size(m);
+        if (out.size() < size) return errc::buffer_too_small;
+        out[0] = static_cast<unit>(size - 1);
+        out[1] = e.destination.octet;
+        out[2] = e.source.octet;
+        out[3] = command_of(M::key);
+        store_body(out.data() + header_size, m);
+        out[size - 1] = checksum(out.first(size - 1));
+        return size;
+    }
+};
+static_assert(wire_format<format>);
+
+/// Writes `m` from `e.source` to `e.destination`. As `format::encode`.
+template <has_layout M>
+    requires(messages::contains<M>)
+constexpr result<std::size_t> encode(const envelope& e, const M& m, std::span<std::uint8_t> out) noexcept { return format::encode(e, m, out); }
+
+}  // namespace trama::daisy

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "trama/core/window.hpp"
+#include "trama/daisy/packet.hpp"
+
+/// How the decoder finds its footing again after a fault. XOR is a weak check: in periodic traffic any window over
+/// whole cycles XORs to zero too, so a good CRC alone proves nothing. docs/daisy.md draws the cases.
+namespace trama::daisy::recovery {
+
+inline constexpr std::size_t longest_short = 22;  ///< The longest packet that is neither text nor a rejected packet.
+
+/// True when a whole packet with a documented header and a good CRC begins at `at`.
+constexpr bool is_intact(const window& w, std::size_t at, std::size_t end) noexcept {
+    if (judge_header(w, at, std::min<std::size_t>(end - at, header_size + 1)) != header::documented) return false;
+    const std::size_t size = std::size_t{w[at]} + 1;
+    return size <= end - at && w.xor_of(at, size) == 0;
+}
+
+/// True when the intact packet at `at` is a landmark.
+constexpr bool is_landmark_at(const window& w, std::size_t at) noexcept {
+    const std::size_t index = index_of(w[at + 1], w[at + 2], w[at + 3]);
+    if (known.fixed_len[index] != variable) return true;
+    std::array<std::uint8_t, max_packet> spare;
+    return is_landmark(w.piece(at, std::size_t{w[at]} + 1, spare), index);
+}
+
+/// True when a landmark lies wholly behind the first byte of the packet at `at`.
+constexpr bool hides_landmark(const window& w, std::size_t at) noexcept {
+    const std::size_t end = at + w[at] + 1;
+    for (std::size_t q = at + 1; q + min_packet <= end; ++q)
+        if (is_intact(w, q, end) && is_landmark_at(w, q)) return true;
+    return false;
+}
+
+/// While hunting, a packet is taken if it is a landmark, or if nothing inside it speaks for another phase.
+constexpr bool is_acceptable(const window& w, std::size_t at) noexcept {
+    return is_intact(w, at, w.size()) && (is_landmark_at(w, at) || !hides_landmark(w, at));
+}
+
+/// Looks for a short landmark from `probe` on, as far as the bytes go. True when one is found, at `probe`. A long
+/// candidate that it lies in can then be given up at once instead of when its last byte has come.
+constexpr bool find_short_landmark(const window& w, std::size_t& probe) noexcept {
+    for (; probe < w.size(); ++probe) {
+        const std::size_t left = w.size() - probe;
+        const header h = judge_header(w, probe, std::min<std::size_t>(left, header_size + 1));
+        if (h == header::unclear) return false;
+        const std::size_t size = std::size_t{w[probe]} + 1;
+        if (h != header::documented || size > longest_short) continue;
+        if (size > left || left <= header_size) return false;
+        if (w.xor_of(probe, size) == 0 && is_landmark_at(w, probe)) return true;
+    }
+    return false;
+}
+
+/// What a search through the bytes at hand came to.
+struct finding {
+    std::size_t at = 0;   ///< The first byte that is still of interest: of the packet found, or of one still incomplete.
+    bool found = false;   ///< A packet to accept lies at `at`, whole.
+};
+
+/// The leftmost acceptable packet of `w`, or the leftmost place where one may yet be when more bytes come.
+/// `probe` remembers how far the inside of a long candidate has been searched.
+constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
+    for (std::size_t at = 0; at < w.size(); ++at) {
+        const std::size_t left = w.size() - at;
+        const header h = judge_header(w, at, std::min<std::size_t>(left, header_size + 1));
+        if (h == header::unclear) return {at, false};
+        if (h != header::documented) continue;
+        const std::size_t size = std::size_t{w[at]} + 1;
+        if (size <= left) {
+            if (is_acceptable(w, at)) return {at, true};
+            continue;
+        }
+        if (size <= longest_short) return {at, false};
+        probe = std::max(probe, at + 1);
+        if (!find_short_landmark(w, probe)) return {at, false};
+    }
+    return {w.size(), false};
+}
+
+/// As `hunt` where no more bytes will come: packets that are cut off are passed over.
+constexpr finding hunt_last(const window& w) noexcept {
+    for (std::size_t at = 0; at < w.size(); ++at)
+        if (is_acceptable(w, at)) return {at, true};
+    return {w.size(), false};
+}
+
+/// Where the packet begins that the end of the input cut off; `w.size()` if there is none. `fresh`: nothing was
+/// skipped before these bytes, so that they may be a packet's first even when their header is not complete.
+constexpr std::size_t find_cut(const window& w, bool fresh) noexcept {
+    if (fresh && w.size() < header_size && judge_header(w, 0, w.size()) == header::unclear) return 0;
+    for (std::size_t at = 0; at + header_size <= w.size(); ++at) {
+        const std::size_t left = w.size() - at;
+        const bool documented = judge_header(w, at, std::min<std::size_t>(left, header_size + 1)) == header::documented;
+        if (documented && std::size_t{w[at]} + 1 > left) return at;
+    }
+    return w.size();
+}
+
+}  // namespace trama::daisy::recovery

@@ -1,0 +1,18 @@
+#pragma once
+/// trama: codecs for three wire formats, without heap, exceptions or global state.
+///
+/// The reader's tour: this file, then `<module>/format.hpp` for what each format offers, then its messages. All three
+/// are used alike:
+///
+///     decoder.next(in)       takes bytes (can: frames) and gives one packet or error, or `need_more`
+///     visit<format>(p, f)    calls `f` with the packet's typed message
+///     decode<message>(p)     the packet as one certain message, or why it is none
+///     validate(message)      what the document does not allow in it
+///     encode(message, out)   the units written, or why none were
+///     view_as<message>(p)    single fields, without decoding the others
+///     to_json, to_text       the message in words
+#include "trama/can/format.hpp"
+#include "trama/core/print.hpp"
+#include "trama/core/view.hpp"
+#include "trama/daisy/format.hpp"
+#include "trama/gateway/format.hpp"
