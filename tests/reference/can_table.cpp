@@ -1,5 +1,7 @@
 #include "can_table.hpp"
 
+#include "json_text.hpp"
+
 namespace trama_reference {
 
 namespace {
@@ -13,6 +15,8 @@ constexpr long long interval_all = letters('I', 'A');
 constexpr long long interval_specific = letters('I', 'S');
 
 }  // namespace
+
+std::string can_range::text() const { return low == high ? std::to_string(low) : range_text(low, high); }
 
 const std::vector<can_form>& can_forms() {
   static const std::vector<can_form> all = {

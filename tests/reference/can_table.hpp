@@ -36,7 +36,8 @@ const std::vector<can_function>& can_functions();
 struct can_range {
   long long low = 0;
   long long high = 0;
-  std::string text() const { return low == high ? std::to_string(low) : std::to_string(low) + ".." + std::to_string(high); }
+  /// `0`, or `low..high`
+  std::string text() const;
 };
 
 /// The ranges of month, day, hour, minute and second; nothing for a year.

@@ -127,7 +127,8 @@ std::string payload(const gateway_message& message, const json_value& fields, bo
   std::vector<std::string> names = names_of(message.fields);
   if (message.orders > 0) names.push_back("orders");
   expect_members(fields, names);
-  std::string characters = right(std::to_string(message.type), 3) + fields_characters(message.fields, fields, unchecked);
+  std::string characters = right(std::to_string(message.type), 3);
+  characters += fields_characters(message.fields, fields, unchecked);
 
   std::vector<json_value> orders(message.orders, empty_object());
   const json_value* given = fields.find("orders");
@@ -146,10 +147,8 @@ octets encode(std::string_view text, bool unchecked) {
     if (message.name != name) continue;
     const json_value* fields = line.find("fields");
     const std::string characters = payload(message, fields == nullptr ? empty_object() : *fields, unchecked);
-    octets record = {0x02};
-    record.insert(record.end(), characters.begin(), characters.end());
-    record.push_back(0x03);
-    return record;
+    const std::string record = "\x02" + characters + "\x03";
+    return {record.begin(), record.end()};
   }
   throw refused("unknown message");
 }
