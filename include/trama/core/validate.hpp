@@ -90,6 +90,13 @@ template <class M>
     }
 }
 
+/// How many values a list of `m` must have, where the message says so.
+template <has_layout M>
+constexpr std::size_t announced_count([[maybe_unused]] const M& m) noexcept {
+    if constexpr (requires { m.expected_count(); }) return m.expected_count();
+    else return 0;
+}
+
 /// True when the fields that do not exist are empty and each list has the length that the message announces.
 /// Reports what is not by `f(field, size, rule)`.
 template <has_layout M>
@@ -102,8 +109,8 @@ constexpr void each_shape_fault(const M& m, auto&& f) {
             const field_ref at{static_cast<std::uint8_t>(I)};
             if (!one.exists(m)) {
                 if (!(v == std::remove_cvref_t<decltype(v)>{})) f(at, as_number(v), absent_rule);
-            } else if constexpr (wire::listed<wire_type>) {
-                if (v.size() != m.expected_count()) f(at, as_number(v), count_rule);
+            } else if constexpr (requires { typename wire_type::element; }) {
+                if (v.size() != announced_count(m)) f(at, as_number(v), count_rule);
             }
         });
 }

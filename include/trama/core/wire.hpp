@@ -165,10 +165,6 @@ struct counted {
     }
 };
 
-/// A wire type of several values of one kind.
-template <class W>
-concept listed = requires { typename W::element; };
-
 /// A wire type whose length is not a constant.
 template <class W>
 concept variable = requires { W::max_size; };

@@ -82,8 +82,9 @@ private:
         return e;
     }
 
+    [[gnu::noinline]] constexpr event advance(bytes_in& in) noexcept { return slow_next(in); }
     // decoder_recovery.hpp holds these.
-    constexpr event advance(bytes_in& in) noexcept;
+    constexpr event slow_next(bytes_in& in) noexcept;
     constexpr event step(bytes_in& in) noexcept;
     constexpr event rest() noexcept;
     constexpr event wait(bytes_in& in) noexcept;

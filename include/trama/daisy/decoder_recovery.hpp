@@ -5,12 +5,12 @@
 namespace trama::daisy {
 
 namespace detail {
-/// An event that `decoder::advance` goes on from.
+/// An event that `decoder::slow_next` goes on from.
 constexpr event nothing() noexcept { event e{}; e.code = errc::ok; return e; }
 }  // namespace detail
 
 /// The slow path: everything but a short landmark that lies whole in `in` while in step.
-[[gnu::noinline]] constexpr event decoder::advance(bytes_in& in) noexcept {
+constexpr event decoder::slow_next(bytes_in& in) noexcept {
     begin_ += release_;
     release_ = 0;
     steady_ = false;
