@@ -33,7 +33,7 @@ constexpr bool is_plain(byte_view text) noexcept {
 /// What a board answers to `Request`: its description. [daisy §3.1, §3.2]
 template <class Request>
 struct description_reply {
-    byte_view description;  ///< Text as it comes, 0..251 bytes. After decoding it lives as long as the packet.
+    byte_view description{};  ///< Text as it comes, 0..251 bytes. After decoding it lives as long as the packet.
 
     static constexpr daisy::key key = reply_to<Request>::key;
     static constexpr std::string_view name = Request::name, section = Request::section;

@@ -62,7 +62,7 @@ inline constexpr rule no_such_sensor{0, -1, -1, 0, {}, "no such sensor"};       
 template <class Request>
 struct readings_reply {
     std::uint8_t sensors = 0;                 ///< Bit n stands for sensor n, 0..0x3F.
-    bounded_list<std::uint16_t, 8> readings;  ///< As many as `sensors` has bits: 0..1023; of sensor 5 0..30100, or 0 and 65535 of a switch.
+    bounded_list<std::uint16_t, 8> readings{};  ///< As many as `sensors` has bits: 0..1023; of sensor 5 0..30100, or 0 and 65535 of a switch.
 
     /// The readings that `sensors` announces.
     constexpr std::size_t expected_count() const noexcept { return static_cast<std::size_t>(std::popcount(sensors)); }

@@ -11,8 +11,8 @@ namespace trama::gateway {
 struct send_command {
     std::uint32_t msg_id = 0;  ///< 0..99999.
     std::uint32_t cart_id = 0;
-    text<10> transit_id;
-    text<10> command;
+    text<10> transit_id{};
+    text<10> command{};
 
     static constexpr order_type key = order_type::send_command;
     static constexpr std::string_view name = "send_command", section = "Order_type: send_command";
@@ -29,8 +29,8 @@ struct send_command {
 struct send_inputs {
     std::uint32_t msg_id = 0;  ///< 0..99999.
     std::uint32_t cart_id = 0;
-    text<10> transit_id;
-    text<10> inputs;
+    text<10> transit_id{};
+    text<10> inputs{};
 
     static constexpr order_type key = order_type::send_inputs;
     static constexpr std::string_view name = "send_inputs", section = "Order_type: send_inputs";
@@ -47,8 +47,8 @@ struct send_inputs {
 struct send_cargo_id {
     std::uint32_t msg_id = 0;  ///< 0..99999.
     std::uint32_t cart_id = 0;
-    text<10> transit_id;
-    text<10> cargo_id;
+    text<10> transit_id{};
+    text<10> cargo_id{};
 
     static constexpr order_type key = order_type::send_cargo_id;
     static constexpr std::string_view name = "send_cargo_id", section = "Order_type: send_cargo_id";

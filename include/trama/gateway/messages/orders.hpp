@@ -14,9 +14,9 @@ struct load {
     std::uint32_t station_id = 0;
     std::uint32_t station_type = 0;
     std::uint8_t level = 0;  ///< 0..15 [D20].
-    text<10> options;
-    text<10> initial_inputs;
-    text<10> cargo_id;
+    text<10> options{};
+    text<10> initial_inputs{};
+    text<10> cargo_id{};
 
     static constexpr order_type key = order_type::load;
     static constexpr std::string_view name = "load", section = "Order_types: load, transit, unload";
@@ -40,9 +40,9 @@ struct transit {
     std::uint32_t station_id = 0;
     std::uint32_t station_type = 0;
     std::uint8_t level = 0;  ///< 0..15 [D20].
-    text<10> options;
-    text<10> initial_inputs;
-    text<10> cargo_id;
+    text<10> options{};
+    text<10> initial_inputs{};
+    text<10> cargo_id{};
 
     static constexpr order_type key = order_type::transit;
     static constexpr std::string_view name = "transit", section = "Order_types: load, transit, unload";
@@ -66,9 +66,9 @@ struct unload {
     std::uint32_t station_id = 0;
     std::uint32_t station_type = 0;
     std::uint8_t level = 0;  ///< 0..15 [D20].
-    text<10> options;
-    text<10> initial_inputs;
-    text<10> cargo_id;
+    text<10> options{};
+    text<10> initial_inputs{};
+    text<10> cargo_id{};
 
     static constexpr order_type key = order_type::unload;
     static constexpr std::string_view name = "unload", section = "Order_types: load, transit, unload";

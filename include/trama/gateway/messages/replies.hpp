@@ -13,7 +13,7 @@ struct transit_ack {
     std::uint32_t cart_id = 0;
     gateway::order_type src_type{};
     std::uint32_t src_msg_id = 0;  ///< 0..99999.
-    text<10> transit_id;
+    text<10> transit_id{};
 
     static constexpr order_type key = order_type::transit_ack;
     static constexpr std::string_view name = "transit_ack", section = "Order_type: transit_ack";
@@ -51,7 +51,7 @@ struct nack {
     std::uint32_t cart_id = 0;
     gateway::order_type src_type{};
     std::uint32_t src_msg_id = 0;  ///< 0..99999.
-    text<80> error_message;
+    text<80> error_message{};
 
     static constexpr order_type key = order_type::nack;
     static constexpr std::string_view name = "nack", section = "Order_type: nack";

@@ -16,13 +16,13 @@ struct transit_order {
     std::uint32_t station_id = 0;
     std::uint32_t station_type = 0;
     std::uint8_t level = 0;  ///< 0..15 [D20].
-    text<10> options;
-    text<10> transit_id;
-    text<10> cargo_id;
+    text<10> options{};
+    text<10> transit_id{};
+    text<10> cargo_id{};
     gateway::transit_phase phase{};
-    text<10> inputs;
-    text<10> outputs;
-    text<10> last_command;
+    text<10> inputs{};
+    text<10> outputs{};
+    text<10> last_command{};
 
     static constexpr fields layout{
         field<&transit_order::use, wire::dec<1>>{"use", {}, "state of the slot"},
