@@ -1,0 +1,132 @@
+#include "tool/encode_line.hpp"
+
+#include <array>
+
+#include "tool/event_line.hpp"
+#include "tool/from_json.hpp"
+
+namespace trama::tool {
+
+namespace {
+
+/// Reads the line of one packet step by step; the first thing that is wrong ends it.
+template <wire_format F>
+class line_encoder {
+public:
+    line_encoder(const json_value& line, bool unchecked) : line_(line), unchecked_(unchecked) {}
+
+    encoded<F> run() {
+        (void)(check_keys() && read_envelope() && read_message());
+        return std::move(result_);
+    }
+
+private:
+    static constexpr bool is_daisy = std::is_same_v<F, daisy::format>, is_can = std::is_same_v<F, can::format>;
+
+    bool fail(std::string what) {
+        result_.error = std::move(what);
+        return false;
+    }
+    bool check_keys() {
+        if (line_.type != json_value::kind::object) return fail("a JSON object is needed");
+        if (const json_value* e = line_.find("error")) return fail("skipped, it reports an error: " + e->text);
+        for (const auto& [name, value] : line_.members) {
+            const bool place = is_can ? name == "line" || name == "frames" : name == "offset" || name == "length";
+            const bool address = is_can ? name == "id" : is_daisy && (name == "destination" || name == "source" || name == "kind");
+            if (!place && !address && name != "protocol" && name != "message" && name != "fields" && name != "violations") return fail(name + ": there is no such field");
+        }
+        const json_value* protocol = line_.find("protocol");
+        return protocol == nullptr || (protocol->type == json_value::kind::string && protocol->text == F::name) ||
+               fail("protocol: it is " + protocol->text + ", not " + std::string{F::name});
+    }
+    template <class T>
+    bool read_number(std::string_view name, std::int64_t most, T& out) {
+        const json_value* v = line_.find(name);
+        if (v == nullptr) return fail(std::string{name} + " is missing");
+        const auto n = whole_number(*v);
+        if (!n || *n < 0 || *n > most) return fail(std::string{name} + ": a whole number in 0.." + std::to_string(most) + " is needed");
+        out = static_cast<T>(*n);
+        return true;
+    }
+    bool read_envelope() {
+        if constexpr (is_daisy) return read_number("destination", 255, envelope_.destination.octet) && read_number("source", 255, envelope_.source.octet) && read_kind();
+        else if constexpr (is_can) return read_number("id", 0x7FF, envelope_.id);
+        else return true;
+    }
+    bool read_kind() {
+        const json_value* kind = line_.find("kind");
+        if (kind == nullptr) return true;
+        response_ = kind->text == "response";
+        return (kind->type == json_value::kind::string && (response_ || kind->text == "request")) || fail("kind: request or response is needed");
+    }
+    template <class M>
+    bool is_called(std::string_view name) const {
+        if constexpr (is_daisy) return M::name == name && response_ == ((daisy::command_of(M::key) & daisy::response_bit) != 0);
+        else return M::name == name;
+    }
+    bool read_message() {
+        const json_value* name = line_.find("message");
+        if (name == nullptr) return fail("message is missing");
+        bool found = false, good = false;
+        F::messages::each([&]<class M>() {
+            if (found || name->type != json_value::kind::string || !is_called<M>(name->text)) return;
+            found = true;
+            good = encode_as<M>();
+        });
+        return found ? good : fail("message: there is no " + name->text + (is_daisy ? response_ ? " with kind response" : " with kind request" : ""));
+    }
+    template <class M>
+    bool encode_as() {
+        M m{};
+        message_reader reader;
+        const json_value* values = line_.find("fields");
+        if (values != nullptr && !reader.read(*values, m)) return fail("fields: " + reader.error());
+        std::array<typename F::unit, F::max_units> units;
+        const auto size = unchecked_ ? F::encode_unchecked(envelope_, m, std::span{units}) : F::encode(envelope_, m, std::span{units});
+        if (!size) return fail(explain(m, size.error()));
+        result_.units.assign(units.begin(), units.begin() + static_cast<std::ptrdiff_t>(*size));
+        return true;
+    }
+    /// The violation that an encoder refused, in words.
+    template <class M>
+    std::string explain(const M& m, error refused) const {
+        std::array<char, 1024> memory;
+        text_sink out(memory);
+        bool told = false;
+        const auto tell = [&](const violation& v) {
+            if (told || v.field != refused.field) return;
+            told = true;
+            print_where<M>(out, v.field);
+            out << ": " << v.value << " is not allowed (";
+            out.allowed(*v.allowed) << ')';
+        };
+        F::for_each_violation(envelope_, m, tell);
+        for_each_violation(m, tell);
+        if (!told) {
+            print_where<M>(out, refused.field);
+            if constexpr (is_daisy) out << ": " << envelope_.destination.octet << " is no address of the family that defines the message";
+        }
+        return std::string{out.view()};
+    }
+
+    const json_value& line_;
+    bool unchecked_;
+    bool response_ = false;
+    typename F::envelope envelope_{};
+    encoded<F> result_;
+};
+
+}  // namespace
+
+template <wire_format F>
+encoded<F> encode_line(std::string_view line, bool unchecked) {
+    const json_result parsed = parse_json(line);
+    if (!parsed.error.empty()) return {{}, "column " + std::to_string(parsed.column) + ": " + std::string{parsed.error}};
+    return line_encoder<F>(parsed.value, unchecked).run();
+}
+
+template encoded<daisy::format> encode_line(std::string_view, bool);
+template encoded<can::format> encode_line(std::string_view, bool);
+template encoded<gateway::format> encode_line(std::string_view, bool);
+
+}  // namespace trama::tool

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "trama/trama.hpp"
+
+namespace trama::tool {
+
+/// Writes one event as a line without its end: `trama decode`'s output. True when it is an error or has violations.
+template <wire_format F>
+bool print_event(text_sink& out, const typename F::event& e, notation n);
+
+extern template bool print_event<daisy::format>(text_sink&, const daisy::event&, notation);
+extern template bool print_event<can::format>(text_sink&, const can::event&, notation);
+extern template bool print_event<gateway::format>(text_sink&, const gateway::event&, notation);
+
+/// Room for the longest line.
+inline constexpr std::size_t longest_line = 1 << 15;
+
+/// The field of an error or violation, the packet's addresses included.
+template <has_layout M>
+void print_where(text_sink& out, field_ref at) noexcept {
+    if (at.field == field_ref::source) out << "source";
+    else if (at.field == field_ref::destination) out << "destination";
+    else print_path<M>(out, at);
+}
+
+}  // namespace trama::tool

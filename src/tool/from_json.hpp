@@ -1,0 +1,146 @@
+#pragma once
+
+#include <list>
+#include <optional>
+#include <string>
+
+#include "tool/hex.hpp"
+#include "tool/json_value.hpp"
+#include "trama/trama.hpp"
+
+namespace trama::tool {
+
+/// A whole number that JSON wrote as such.
+std::optional<std::int64_t> whole_number(const json_value& v);
+/// A number with at most one decimal, in tenths.
+std::optional<std::int64_t> number_in_tenths(const json_value& v);
+
+/// Fills a message from the object that `decode` prints as its fields. Missing fields keep their defaults.
+class message_reader {
+public:
+    /// Empty when all went well, else what is wrong where.
+    const std::string& error() const { return error_; }
+
+    template <has_layout M>
+    bool read(const json_value& object, M& m) {
+        if (object.type != json_value::kind::object) return fail("an object is needed");
+        for (const auto& [name, value] : object.members) {
+            bool known = false, good = true;
+            each_index<M>([&]<std::size_t I>() {
+                using one = std::remove_cvref_t<decltype(field_of<M, I>)>;
+                if (name != field_of<M, I>.name) return;
+                known = true;
+                const std::size_t before = enter(name);
+                good = store<typename one::wire_type>(value, m.*one::member);
+                leave(before, good);
+            });
+            if (!known) {
+                enter(name);
+                return fail("there is no such field");
+            }
+            if (!good) return false;
+        }
+        return true;
+    }
+
+private:
+    bool fail(std::string_view what) {
+        error_ = path_.empty() ? std::string{what} : path_ + ": " + std::string{what};
+        return false;
+    }
+    std::size_t enter(std::string_view name) {
+        const std::size_t before = path_.size();
+        if (!path_.empty()) path_ += '.';
+        path_ += name;
+        return before;
+    }
+    void leave(std::size_t before, bool good) { if (good) path_.resize(before); }
+
+    template <class W, class V>
+    bool store(const json_value& v, V& out) {
+        if constexpr (requires { typename W::element; }) return store_array<W>(v, out);
+        else if constexpr (has_layout<V>) return read(v, out);
+        else if constexpr (flag_set<V>) return store_flags<W>(v, out);
+        else if constexpr (enumerated<V>) return store_enum<W>(v, out);
+        else if constexpr (std::integral<V>) return store_number<W>(v, out);
+        else if constexpr (requires { out.columns; }) return store_text(v, out);
+        else return store_bytes<W>(v, out);
+    }
+    template <class W, class V>
+    bool store_number(const json_value& v, V& out) {
+        const auto n = W::printed == wire::print::tenths ? number_in_tenths(v) : whole_number(v);
+        if (!n) return fail(W::printed == wire::print::tenths ? "a number with at most one decimal is needed" : "a whole number is needed");
+        if (!std::in_range<V>(*n) || !W::carries(*n)) return fail(std::to_string(*n) + " is not allowed (" + std::to_string(W::low) + ".." + std::to_string(W::high) + ")");
+        out = static_cast<V>(*n);
+        return true;
+    }
+    template <class W, class V>
+    bool store_enum(const json_value& v, V& out) {
+        if (v.type == json_value::kind::number) {
+            std::underlying_type_t<V> n{};
+            if (!store_number<W>(v, n)) return false;
+            out = static_cast<V>(n);
+            return true;
+        }
+        for (const auto& one : names(V{}))
+            if (v.type == json_value::kind::string && v.text == one.name) {
+                out = one.value;
+                return true;
+            }
+        return fail(v.type == json_value::kind::string ? "there is no value called " + v.text : "a name or a number is needed");
+    }
+    template <class W, class V>
+    bool store_flags(const json_value& v, V& out) {
+        if (v.type != json_value::kind::array) return store_enum<W>(v, out);
+        std::uint64_t bits = 0;
+        for (const json_value& item : v.items) {
+            V one{};
+            if (!store_enum<W>(item, one)) return false;
+            bits |= static_cast<std::uint64_t>(one);
+        }
+        if (!W::carries(static_cast<std::int64_t>(bits))) return fail(std::to_string(bits) + " does not fit its columns");
+        out = static_cast<V>(bits);
+        return true;
+    }
+    template <class W, class V>
+    bool store_array(const json_value& v, V& out) {
+        if (v.type != json_value::kind::array) return fail("an array is needed");
+        if constexpr (wire::variable<W>) {
+            out = {};
+            for (std::size_t i = 0; i != v.items.size(); ++i)
+                if (!out.push_back({})) return fail("at most " + std::to_string(W::max_count) + " values are possible");
+        } else if (v.items.size() != out.size()) {
+            return fail(std::to_string(out.size()) + " values are needed, not " + std::to_string(v.items.size()));
+        }
+        for (std::size_t i = 0; i != v.items.size(); ++i) {
+            const std::size_t before = path_.size();
+            path_ += '[' + std::to_string(i) + ']';
+            const bool good = store<typename W::element>(v.items[i], out[i]);
+            leave(before, good);
+            if (!good) return false;
+        }
+        return true;
+    }
+    template <std::size_t Columns>
+    bool store_text(const json_value& v, text<Columns>& out) {
+        if (v.type != json_value::kind::string) return fail("a string is needed");
+        if (v.text.size() > Columns) return fail("at most " + std::to_string(Columns) + " characters fit");
+        out = text<Columns>(std::string_view{v.text});
+        return (!v.wide && out.printable()) || fail("only printable ASCII is possible");
+    }
+    template <class W>
+    bool store_bytes(const json_value& v, byte_view& out) {
+        if (v.type != json_value::kind::string) return fail("a string is needed");
+        if (v.wide) return fail("a character does not fit a byte");
+        std::vector<std::uint8_t>& kept = bytes_.emplace_back(v.text.begin(), v.text.end());
+        if (W::printed == wire::print::hex && !from_hex(kept)) return fail("pairs of hex digits are needed");
+        out = byte_view(std::span<const std::uint8_t>{kept});
+        return true;
+    }
+    static bool from_hex(std::vector<std::uint8_t>& text);
+
+    std::string path_, error_;
+    std::list<std::vector<std::uint8_t>> bytes_;  ///< What the message's views point to.
+};
+
+}  // namespace trama::tool

@@ -1,0 +1,63 @@
+#include <csignal>
+#include <span>
+#include <string_view>
+
+#include <unistd.h>
+
+#include "tool/decode.hpp"
+#include "tool/describe.hpp"
+#include "tool/encode.hpp"
+#include "tool/output.hpp"
+
+namespace {
+
+constexpr std::string_view help =
+    R"(trama: three wire formats, from bytes to meaning and back
+
+  trama decode daisy|can|gateway [--hex] [--format json|text] [--timeout SECONDS] [FILE]
+        Prints what FILE holds, one JSON object a line. daisy and gateway are raw bytes,
+        can is a candump log. Without FILE, or with -, standard input is read.
+          --hex              the input is hex digits in pairs (daisy, gateway)
+          --format text      for people instead of programs
+          --timeout SECONDS  how long a multi-frame message may stall, by the log's own
+                             time (can; 1 by default)
+
+  trama encode daisy|can|gateway [--hex] [--unchecked] [FILE]
+        Reads JSON lines as decode prints them and writes raw bytes or candump log lines.
+          --hex              writes each packet as a line of hex digits (daisy, gateway)
+          --unchecked        writes values too that the protocol does not allow
+
+  trama describe [PROTOCOL [MESSAGE]]
+        Shows the wire layout: offset, size, name, type, range, meaning.
+
+  trama --help | --version
+
+Exit status: 0 all well; 1 some of the input was in error or had values that the
+protocol does not allow; 2 usage or I/O error.
+)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace trama::tool;
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is seen as EPIPE
+    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
+    const std::string_view command = words.size() > 1 ? words[1] : "";
+    const auto arguments = words.subspan(words.size() > 1 ? 2 : words.size());
+    for (const std::string_view word : words.subspan(words.empty() ? 0 : 1)) {
+        if (word != "--help" && word != "-h" && word != "--version") continue;
+        output out(STDOUT_FILENO);
+        out.write(word == "--version" ? "trama " TRAMA_VERSION "\n" : help);
+        out.flush();
+        return all_well;
+    }
+    if (command == "decode" || command == "encode") {
+        const auto o = parse_options(command, arguments);
+        if (!o) return failed;
+        return command == "decode" ? decode(*o) : encode(*o);
+    }
+    if (command == "describe") return describe(arguments);
+    if (command.empty()) complain("nothing to do; see trama --help");
+    else complain("unknown command ", command, "; see trama --help");
+    return failed;
+}

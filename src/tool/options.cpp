@@ -1,0 +1,95 @@
+#include "tool/options.hpp"
+
+#include "tool/output.hpp"
+
+namespace trama::tool {
+
+std::optional<protocol> parse_protocol(std::string_view name) noexcept {
+    if (name == "daisy") return protocol::daisy;
+    if (name == "can") return protocol::can;
+    if (name == "gateway") return protocol::gateway;
+    return std::nullopt;
+}
+
+namespace {
+
+/// Collects what the arguments say and remembers the first thing that is wrong with them.
+class argument_reader {
+public:
+    argument_reader(std::string_view command, std::span<char*> arguments) : command_(command), left_(arguments) {}
+
+    std::optional<options> read() {
+        bool only_operands = false;
+        while (!left_.empty() && good_) {
+            const std::string_view word = left_.front();
+            left_ = left_.subspan(1);
+            if (!only_operands && word == "--") only_operands = true;
+            else if (!only_operands && word.size() > 1 && word.front() == '-') option(word);
+            else operand(word);
+        }
+        if (good_ && operands_ == 0) fail("which protocol: daisy, can or gateway?");
+        if (good_ && found_.hex && found_.protocol == protocol::can) fail("--hex does not go with can, whose logs are text");
+        if (good_ && timeout_given_ && found_.protocol != protocol::can) fail("--timeout is for can only");
+        return good_ ? std::optional{found_} : std::nullopt;
+    }
+
+private:
+    void fail(std::string_view what, std::string_view detail = {}) {
+        complain(command_, ": ", what, detail, " (see trama --help)");
+        good_ = false;
+    }
+    void operand(std::string_view word) {
+        if (operands_ == 0) {
+            if (const auto p = parse_protocol(word)) found_.protocol = *p;
+            else fail("unknown protocol ", word);
+        } else if (operands_ == 1) {
+            found_.file = word;
+        } else {
+            fail("more than one file: ", word);
+        }
+        ++operands_;
+    }
+    void option(std::string_view word) {
+        const std::size_t equals = word.find('=');
+        const std::string_view name = word.substr(0, equals);
+        if (name == "--hex" && equals == word.npos) found_.hex = true;
+        else if (name == "--unchecked" && equals == word.npos && command_ == "encode") found_.unchecked = true;
+        else if (name == "--format" && command_ == "decode") format(value(name, word, equals));
+        else if (name == "--timeout" && command_ == "decode") timeout(value(name, word, equals));
+        else fail("unknown option ", word);
+    }
+    std::string_view value(std::string_view name, std::string_view word, std::size_t equals) {
+        if (equals != word.npos) return word.substr(equals + 1);
+        if (left_.empty()) { fail("a value is missing after ", name); return {}; }
+        const std::string_view next = left_.front();
+        left_ = left_.subspan(1);
+        return next;
+    }
+    void format(std::string_view name) {
+        if (!good_) return;
+        found_.text = name == "text";
+        if (name != "text" && name != "json") fail("--format is json or text, not ", name);
+    }
+    void timeout(std::string_view seconds) {
+        if (!good_) return;
+        const auto t = parse_seconds(seconds);
+        if (!t) return fail("--timeout takes seconds, such as 0.5, not ", seconds);
+        found_.timeout = *t;
+        timeout_given_ = true;
+    }
+
+    std::string_view command_;
+    std::span<char*> left_;
+    options found_{};
+    unsigned operands_ = 0;
+    bool timeout_given_ = false;
+    bool good_ = true;
+};
+
+}  // namespace
+
+std::optional<options> parse_options(std::string_view command, std::span<char*> arguments) {
+    return argument_reader(command, arguments).read();
+}
+
+}  // namespace trama::tool

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "tool/candump.hpp"
+
+namespace trama::tool {
+
+enum class protocol : std::uint8_t { daisy, can, gateway };
+
+/// The command line of decode and encode.
+struct options {
+    tool::protocol protocol{};
+    std::string_view file;  ///< Empty or `-`: standard input.
+    bool hex = false;
+    bool text = false;
+    bool unchecked = false;
+    std::uint64_t timeout = per_second;
+};
+
+std::optional<protocol> parse_protocol(std::string_view name) noexcept;
+
+/// Reads the arguments behind `decode` or `encode`; complains and gives nothing when they are wrong.
+std::optional<options> parse_options(std::string_view command, std::span<char*> arguments);
+
+}  // namespace trama::tool
