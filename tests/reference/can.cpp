@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::uint64_t second = 1'000'000'000;
 
+std::string line_head(std::size_t line) {
+  return concat({"{", member("protocol", quoted("can")), next_member("line", static_cast<long long>(line))});
+}
+
 // The message of one identifier that is under way.
 struct partial {
   const can_form* form = nullptr;
@@ -35,7 +39,7 @@ class reassembly {
   void feed_line(std::size_t number, std::string_view line) {
     const std::optional<log_frame> frame = parse_candump(line);
     if (!frame) {
-      lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}");
+      lines.push_back(concat({line_head(number), next_member("error", quoted("bad_line")), "}"}));
       return;
     }
     tick(frame->time);
@@ -98,21 +102,21 @@ class reassembly {
   }
 
   static std::string head(std::uint32_t id, const partial& frames) {
-    return "{\"protocol\":\"can\",\"line\":" + std::to_string(frames.line) +
-           ",\"frames\":" + std::to_string(frames.frames) + ",\"id\":" + std::to_string(id);
+    return concat({line_head(frames.line), next_member("frames", static_cast<long long>(frames.frames)),
+                   next_member("id", id)});
   }
 
   void error(std::uint32_t id, const partial& frames, const std::string& code, const std::string& rest = "") {
-    lines.push_back(head(id, frames) + ",\"error\":\"" + code + "\"" + bytes_member(frames.data) + rest + "}");
+    lines.push_back(concat({head(id, frames), next_member("error", quoted(code)), bytes_member(frames.data), rest, "}"}));
   }
 
   void message(std::uint32_t id, const partial& frames) {
     const can_meaning meaning = read_can_message(*frames.form, frames.data);
     if (!meaning.bad_number.empty()) {
-      return error(id, frames, "bad_number", ",\"field\":\"" + meaning.bad_number + "\"");
+      return error(id, frames, "bad_number", next_member("field", quoted(meaning.bad_number)));
     }
-    lines.push_back(head(id, frames) + ",\"message\":\"" + frames.form->name + "\",\"fields\":" + meaning.fields +
-                    violations_member(meaning.violations) + "}");
+    lines.push_back(concat({head(id, frames), next_member("message", quoted(frames.form->name)),
+                            next_member("fields", meaning.fields), violations_member(meaning.violations), "}"}));
   }
 
   log_time timeout_ = {};

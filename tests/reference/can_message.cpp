@@ -22,14 +22,14 @@ class reader {
       plain("state");
     }
     if (form.name == "set_clock") set_clock();
-    meaning_.fields = "{" + joined(members_, ",") + "}";
+    meaning_.fields = object(members_);
     return meaning_;
   }
 
  private:
   std::uint8_t byte() { return data_[at_++]; }
 
-  void add(const std::string& name, const std::string& json) { members_.push_back("\"" + name + "\":" + json); }
+  void add(const std::string& name, const std::string& json) { members_.push_back(member(name, json)); }
 
   void check(const std::string& name, long long value, const std::optional<can_range>& range) {
     if (!range || (value >= range->low && value <= range->high)) return;
@@ -74,9 +74,9 @@ class reader {
       const std::string full_name = name + "." + part;
       const long long value = part == "year" ? year(full_name) : byte();
       check(full_name, value, start_end_range(function_value, part));
-      parts.push_back("\"" + part + "\":" + std::to_string(value));
+      parts.push_back(member(part, std::to_string(value)));
     }
-    add(name, "{" + joined(parts, ",") + "}");
+    add(name, object(parts));
   }
 
   // On the wire: both dates, then both times.
@@ -93,27 +93,27 @@ class reader {
     start_or_end("end", value);
     const long long count = ranged("sensor_count", sensor_count_range(value));
     std::vector<std::string> sensors;
-    for (int i = 0; i < 4; ++i) sensors.push_back(slot("sensors[" + std::to_string(i) + "]", i, count));
-    add("sensors", "[" + joined(sensors, ",") + "]");
+    for (std::size_t i = 0; i < 4; ++i) sensors.push_back(slot(indexed("sensors", i), i, count));
+    add("sensors", list(sensors));
   }
 
   // A byte that must be zero at or past the count.
-  std::string slot(const std::string& name, int index, long long count) {
+  std::string slot(const std::string& name, std::size_t index, long long count) {
     const long long value = byte();
-    if (index >= count) check(name, value, can_range{0, 0});
+    if (static_cast<long long>(index) >= count) check(name, value, can_range{0, 0});
     return std::to_string(value);
   }
 
   void sensor_readings() {
     const long long count = ranged("sensor_count", {0, 4});
     std::vector<std::string> readings;
-    for (int i = 0; i < 4; ++i) {
-      const std::string name = "readings[" + std::to_string(i) + "].";
-      const std::string sensor = slot(name + "sensor", i, count);
-      const std::string value = slot(name + "value", i, count);
-      readings.push_back("{\"sensor\":" + sensor + ",\"value\":" + value + "}");
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string name = indexed("readings", i);
+      const std::string sensor = slot(name + ".sensor", i, count);
+      const std::string value = slot(name + ".value", i, count);
+      readings.push_back(object({member("sensor", sensor), member("value", value)}));
     }
-    add("readings", "[" + joined(readings, ",") + "]");
+    add("readings", list(readings));
   }
 
   void set_clock() {

@@ -16,6 +16,11 @@ long long little_endian(bytes_view bytes, bool is_signed) {
   return is_signed && value >= modulus / 2 ? value - modulus : value;
 }
 
+std::string line_head(std::size_t offset, std::size_t length) {
+  return concat({"{", member("protocol", quoted("daisy")), next_member("offset", static_cast<long long>(offset)),
+                 next_member("length", static_cast<long long>(length))});
+}
+
 // The JSON fields and the violations of one packet.
 class packet_printer {
  public:
@@ -26,22 +31,21 @@ class packet_printer {
 
   std::string print(std::size_t offset, const message_form& message) {
     print_fields(message);
-    return line_head(offset) + ",\"destination\":" + std::to_string(packet_[1]) +
-           ",\"source\":" + std::to_string(packet_[2]) + ",\"message\":\"" + family_name(message.owner) + "." +
-           message.name + "\",\"kind\":\"" + ((message.command & 0x80) != 0 ? "response" : "request") +
-           "\",\"fields\":{" + joined(fields_, ",") + "}" + violations_member(violations_) + "}";
+    const std::string name = concat({family_name(message.owner), ".", message.name});
+    const std::string kind = (message.command & 0x80) != 0 ? "response" : "request";
+    return concat({line_head(offset, packet_.size()), addresses(), next_member("message", quoted(name)),
+                   next_member("kind", quoted(kind)), next_member("fields", object(fields_)),
+                   violations_member(violations_), "}"});
   }
 
   std::string print_unknown(std::size_t offset) const {
-    return line_head(offset) + ",\"error\":\"unknown_message\"" + bytes_member(packet_) +
-           ",\"destination\":" + std::to_string(packet_[1]) + ",\"source\":" + std::to_string(packet_[2]) +
-           ",\"command\":" + std::to_string(packet_[3]) + "}";
+    return concat({line_head(offset, packet_.size()), next_member("error", quoted("unknown_message")),
+                   bytes_member(packet_), addresses(), next_member("command", packet_[3]), "}"});
   }
 
  private:
-  std::string line_head(std::size_t offset) const {
-    return "{\"protocol\":\"daisy\",\"offset\":" + std::to_string(offset) +
-           ",\"length\":" + std::to_string(packet_.size());
+  std::string addresses() const {
+    return concat({next_member("destination", packet_[1]), next_member("source", packet_[2])});
   }
 
   void print_fields(const message_form& message) {
@@ -55,7 +59,7 @@ class packet_printer {
     }
   }
 
-  void add(const std::string& name, const std::string& json) { fields_.push_back("\"" + name + "\":" + json); }
+  void add(const std::string& name, const std::string& json) { fields_.push_back(member(name, json)); }
 
   long long take(std::size_t size, bool is_signed) {
     const long long value = little_endian(data_.subspan(at_, size), is_signed);
@@ -67,9 +71,9 @@ class packet_printer {
     if (field.count == 1) return add(field.name, print_number(field, field.name));
     std::vector<std::string> items;
     for (std::size_t i = 0; i < field.count; ++i) {
-      items.push_back(print_number(field, field.name + "[" + std::to_string(i) + "]"));
+      items.push_back(print_number(field, indexed(field.name, i)));
     }
-    add(field.name, "[" + joined(items, ",") + "]");
+    add(field.name, list(items));
   }
 
   std::string print_number(const number_field& field, const std::string& full_name) {
@@ -90,10 +94,10 @@ class packet_printer {
     for (int sensor = 0; sensor < 8; ++sensor) {
       if ((mask >> sensor & 1) == 0) continue;
       const long long value = take(2, false);
-      check_reading(sensor, value, "readings[" + std::to_string(items.size()) + "]");
+      check_reading(sensor, value, indexed("readings", items.size()));
       items.push_back(std::to_string(value));
     }
-    add("readings", "[" + joined(items, ",") + "]");
+    add("readings", list(items));
   }
 
   void check_reading(int sensor, long long value, const std::string& name) {
@@ -109,7 +113,7 @@ class packet_printer {
   void print_error() {
     add("code", std::to_string(data_[0]));
     if (data_[0] != 0) return;
-    add("rejected", "\"" + hex_text(data_.subspan(1, data_.size() - 2)) + "\"");
+    add("rejected", quoted(hex_text(data_.subspan(1, data_.size() - 2))));
     add("expected_crc", std::to_string(data_.back()));
   }
 
@@ -121,11 +125,11 @@ class packet_printer {
 };
 
 std::string error_line(const daisy_event& event, bytes_view span) {
-  std::string line = "{\"protocol\":\"daisy\",\"offset\":" + std::to_string(event.offset) +
-                     ",\"length\":" + std::to_string(event.length) + ",\"error\":\"" + event.error + "\"";
+  std::string line = concat({line_head(event.offset, event.length), next_member("error", quoted(event.error))});
   if (event.error != "noise") line += bytes_member(span);
   if (event.error == "bad_checksum") {
-    line += ",\"expected\":" + std::to_string(event.expected) + ",\"received\":" + std::to_string(event.received);
+    line += next_member("expected", event.expected);
+    line += next_member("received", event.received);
   }
   return line + "}";
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 
 #include "daisy_table.hpp"
@@ -172,11 +173,15 @@ octets encode(std::string_view text, bool unchecked) {
   const json_value* fields = line.find("fields");
   const octets data = data_writer(fields == nullptr ? none : *fields, unchecked).write(*message);
 
-  octets packet = {static_cast<std::uint8_t>(data.size() + 4), destination, source, message->command};
-  packet.insert(packet.end(), data.begin(), data.end());
+  octets packet(data.size() + 5);
+  packet[0] = static_cast<std::uint8_t>(data.size() + 4);
+  packet[1] = destination;
+  packet[2] = source;
+  packet[3] = message->command;
+  std::copy(data.begin(), data.end(), packet.begin() + 4);
   std::uint8_t crc = 0;
   for (const std::uint8_t byte : packet) crc = static_cast<std::uint8_t>(crc ^ byte);
-  packet.push_back(crc);
+  packet.back() = crc;
   return packet;
 }
 

@@ -16,13 +16,14 @@ constexpr std::uint8_t etx = 0x03;
 constexpr std::size_t longest_payload = 206;
 
 std::string line_head(std::size_t offset, std::size_t length) {
-  return "{\"protocol\":\"gateway\",\"offset\":" + std::to_string(offset) + ",\"length\":" + std::to_string(length);
+  return concat({"{", member("protocol", quoted("gateway")), next_member("offset", static_cast<long long>(offset)),
+                 next_member("length", static_cast<long long>(length))});
 }
 
 /// `rest` is what follows the bytes, with its comma.
 std::string error_line(std::size_t offset, bytes_view span, const std::string& code, const std::string& rest = "") {
-  return line_head(offset, span.size()) + ",\"error\":\"" + code + "\"" +
-         (code == "noise" ? "" : bytes_member(span)) + rest + "}";
+  return concat({line_head(offset, span.size()), next_member("error", quoted(code)),
+                 code == "noise" ? "" : bytes_member(span), rest, "}"});
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -77,7 +78,7 @@ std::string bit_names(const gateway_field& field, long long value) {
     if ((value & worth) == 0) continue;
     items.push_back(bit < field.names.size() ? quoted(field.names[bit]) : std::to_string(worth));
   }
-  return "[" + joined(items, ",") + "]";
+  return list(items);
 }
 
 std::string name_or_number(const std::string& name, long long value) {
@@ -93,15 +94,14 @@ class payload_printer {
     std::vector<std::string> members = print_fields(message.fields, "");
     std::vector<std::string> orders;
     for (std::size_t i = 0; i < message.orders; ++i) {
-      const std::string prefix = "orders[" + std::to_string(i) + "].";
-      orders.push_back("{" + joined(print_fields(transit_order_fields(), prefix), ",") + "}");
+      orders.push_back(object(print_fields(transit_order_fields(), indexed("orders", i) + ".")));
     }
-    if (!orders.empty()) members.push_back("\"orders\":[" + joined(orders, ",") + "]");
-    json_ = "{" + joined(members, ",") + "}";
+    if (!orders.empty()) members.push_back(member("orders", list(orders)));
+    json_ = object(members);
   }
 
   const std::string& bad_number() const { return bad_number_; }
-  std::string text() const { return ",\"fields\":" + json_ + violations_member(violations_); }
+  std::string text() const { return concat({next_member("fields", json_), violations_member(violations_)}); }
 
  private:
   std::vector<std::string> print_fields(const std::vector<gateway_field>& fields, const std::string& prefix) {
@@ -113,7 +113,7 @@ class payload_printer {
       if (!value && bad_number_.empty()) bad_number_ = prefix + field.name;
       if (!value) continue;
       check(field, prefix + field.name, *value);
-      members.push_back("\"" + field.name + "\":" + json(field, characters, *value));
+      members.push_back(member(field.name, json(field, characters, *value)));
     }
     return members;
   }
@@ -122,7 +122,7 @@ class payload_printer {
     const auto index = static_cast<std::size_t>(value);
     switch (field.kind) {
       case content::text: return quoted(characters.substr(0, characters.find_last_not_of(' ') + 1));
-      case content::tenths: return std::to_string(value / 10) + "." + std::to_string(value % 10);
+      case content::tenths: return concat({std::to_string(value / 10), ".", std::to_string(value % 10)});
       case content::bits: return bit_names(field, value);
       case content::order_type: return name_or_number(order_type_name(value), value);
       case content::named: return name_or_number(index < field.names.size() ? field.names[index] : "", value);
@@ -156,12 +156,12 @@ std::string whole_record(std::size_t offset, bytes_view record) {
   if (payload.size() < 3) return error_line(offset, record, "bad_length");
   const std::string type_field = payload.substr(0, 3);
   const std::optional<long long> type = read_number(type_field);
-  if (type_field == "   " || !type) return error_line(offset, record, "bad_number", ",\"field\":\"type\"");
+  if (type_field == "   " || !type) return error_line(offset, record, "bad_number", next_member("field", quoted("type")));
 
   const auto& all = gateway_messages();
   const auto message = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.type == *type; });
   if (message == all.end()) {
-    return error_line(offset, record, "unknown_message", ",\"type\":" + std::to_string(*type));
+    return error_line(offset, record, "unknown_message", next_member("type", *type));
   }
   if (payload.size() != message->payload()) return error_line(offset, record, "bad_length");
 
@@ -169,9 +169,9 @@ std::string whole_record(std::size_t offset, bytes_view record) {
   payload_printer printer(body);
   printer.print(*message);
   if (!printer.bad_number().empty()) {
-    return error_line(offset, record, "bad_number", ",\"field\":\"" + printer.bad_number() + "\"");
+    return error_line(offset, record, "bad_number", next_member("field", quoted(printer.bad_number())));
   }
-  return line_head(offset, record.size()) + ",\"message\":\"" + message->name + "\"" + printer.text() + "}";
+  return concat({line_head(offset, record.size()), next_member("message", quoted(message->name)), printer.text(), "}"});
 }
 
 // The record whose STX is at `start`: its one line, and one past its end.

@@ -2,7 +2,9 @@
 
 // Writing JSON: the few pieces that all three formats print.
 
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +36,23 @@ std::string violations_member(const std::vector<violation>& violations);
 
 /// The parts with a separator between them.
 std::string joined(const std::vector<std::string>& parts, std::string_view separator);
+
+/// The parts one after another.
+std::string concat(std::initializer_list<std::string_view> parts);
+
+/// `[item,item]`
+std::string list(const std::vector<std::string>& items);
+
+/// `{member,member}`
+std::string object(const std::vector<std::string>& members);
+
+/// `"name":value`, or with the comma before it.
+std::string member(std::string_view name, std::string_view json);
+std::string next_member(std::string_view name, std::string_view json);
+std::string next_member(std::string_view name, long long number);
+
+/// `name[index]`
+std::string indexed(std::string_view name, std::size_t index);
 
 /// `low..high`.
 std::string range_text(long long low, long long high);
