@@ -1,0 +1,182 @@
+#pragma once
+// The properties that fuzzing tries to break, written once for every wire format. A target is five lines; see fuzz/targets/.
+#include <cstring>
+
+#include "random_message.hpp"
+#include "trama/core/print.hpp"
+#include "transcript.hpp"
+
+namespace trama::fuzz {
+
+/// Printing into a buffer that is too small by one says so and stays inside it; into one that fits, it fills it.
+template <has_layout M>
+void check_printing(const M& m) {
+    static std::array<char, 16384> roomy;
+    for (const notation n : {notation::json, notation::plain}) {
+        const auto print = [&](std::span<char> out) { return n == notation::json ? to_json(m, out) : to_text(m, out); };
+        const auto size = print(roomy);
+        require(bool(size), "a message prints into 16 KiB");
+        exact<char> tight(*size);
+        require(print(tight.all()) == size, "a message prints into exactly the size it takes");
+        require(std::equal(roomy.begin(), roomy.begin() + static_cast<std::ptrdiff_t>(*size), tight.all().begin()), "printing does not depend on the buffer");
+        if (*size == 0) continue;
+        exact<char> small(*size - 1);
+        require(print(small.all()).code() == errc::buffer_too_small, "printing tells that the buffer is too small");
+    }
+}
+
+/// validate, is_valid and the rules agree with each other.
+template <has_layout M>
+void check_validation(const M& m) {
+    const auto all = validate(m);
+    require(all.empty() == is_valid(m), "is_valid means no violation");
+    for (const violation& v : all) {
+        std::array<char, 128> path{};
+        text_sink sink(path);
+        print_path<M>(sink, v.field);
+        require(sink.size() != 0 && !sink.full(), "a violation names a field");
+        require(v.allowed != nullptr, "a violation says what is allowed");
+        require(!v.allowed->names.empty() || !v.allowed->words.empty() || !v.allowed->allows(v.value), "a violation's value is not allowed");
+    }
+}
+
+/// One body, typed: the first octet chooses the message, the rest is the body, cut or filled to the right size on request.
+template <wire_format F>
+int decode_one(std::span<const std::uint8_t> input) {
+    if (input.empty()) return 0;
+    const std::size_t choice = input[0] & 0x7F;
+    const bool fitted = (input[0] & 0x80) != 0;
+    F::messages::at(choice % F::messages::count, [&]<class M>() {
+        octets bytes(input.begin() + 1, input.end());
+        if (M::layout.fixed && fitted) bytes.resize(M::layout.size, ' ');
+        const exact<std::uint8_t> body{std::span<const std::uint8_t>(bytes)};
+        M m{};
+        const error e = load_body(body.all(), m);
+        if (e) {
+            require(e.code == errc::bad_length || e.code == errc::bad_number, "a body is refused for its length or a number");
+            require((e.code == errc::bad_number) == (e.field.field < M::layout.count), "a bad number has a field");
+            return;
+        }
+        require(body_size(m) == bytes.size(), "a message takes as many octets as it was read from");
+        check_validation(m);
+        check_printing(m);
+        if (!fits_wire(m)) return;
+        exact<std::uint8_t> again(bytes.size());
+        store_body(again.all().data(), m);
+        M twin{};
+        require(!load_body(std::span<const std::uint8_t>(again.all()), twin) && twin == m, "what was stored loads as the same message");
+    });
+    return 0;
+}
+
+/// The whole input against any split of it: the same events, and at every call the checks of `listener`.
+template <wire_format F>
+int stream(std::span<const std::uint8_t> input) {
+    using unit = typename F::unit;
+    const auto units = traits<F>::units_from(input);
+    const auto whole = transcript<F>(std::span<const unit>(units));
+    require(whole == transcript<F>(std::span<const unit>(units), [] { return 1; }), "one unit at a time says the same as all at once");
+    dice d(hash_of(input));
+    require(whole == transcript<F>(std::span<const unit>(units), [&] { return d.below(7); }), "chunks of 0..6 units say the same as all at once");
+    require(whole == transcript<F>(std::span<const unit>(units), [&] { return 1 + d.below(2 * F::max_units); }), "long chunks say the same as all at once");
+    if constexpr (requires(typename F::decoder x) { x.idle(); }) {
+        // Silence at places that depend on the stream alone.
+        std::vector<std::size_t> places(3);
+        for (auto& p : places) p = d.below(units.size() + 1);
+        std::sort(places.begin(), places.end());
+        const auto with_silence = [&](auto chunk_size) {
+            listener<F> l;
+            std::size_t at = 0;
+            for (const std::size_t stop : places) {
+                while (at != stop) {
+                    const std::size_t n = std::min<std::size_t>(stop - at, chunk_size());
+                    l.feed(std::span<const unit>(units).subspan(at, n));
+                    at += n;
+                }
+                l.idle();
+            }
+            l.feed(std::span<const unit>(units).subspan(at));
+            l.finish();
+            return l.records();
+        };
+        require(with_silence([&] { return units.size(); }) == with_silence([] { return 1; }), "silence at the same places says the same");
+    }
+    return 0;
+}
+
+/// Encodes `m` into heap blocks of exactly its size and one less, and checks the two encoders against each other.
+template <wire_format F, class M>
+std::vector<typename F::unit> encode_checked(const typename F::envelope& e, const M& m, bool& valid) {
+    using unit = typename F::unit;
+    std::array<unit, F::max_units + 1> wire{};
+    const std::array<unit, F::max_units + 1> blank{};
+    const auto free = F::encode_unchecked(e, m, wire);
+    if (!free) {
+        require(wire == blank, "an encoder that refuses writes nothing");
+        std::array<unit, F::max_units + 1> other{};
+        require(!F::encode(e, m, other) && other == blank, "what even the unchecked encoder refuses is refused");
+        valid = false;
+        return {};
+    }
+    require(*free == F::encoded_size(m) && *free <= F::max_units, "encoded_size is the size");
+    bool good = is_valid(m);
+    if constexpr (requires { F::for_each_violation(e, m, [](const violation&) {}); }) F::for_each_violation(e, m, [&](const violation&) { good = false; });
+    exact<unit> tight(*free);
+    const auto strict = F::encode(e, m, tight.all());
+    require(bool(strict) == good, "encode refuses exactly the messages with a violation");
+    if (strict) require(std::equal(tight.all().begin(), tight.all().end(), wire.begin()), "both encoders write the same");
+    else require(strict.code() == errc::out_of_range, "a violation is out_of_range");
+    exact<unit> small(*free - 1);
+    require(F::encode_unchecked(e, m, small.all()).code() == errc::buffer_too_small, "a buffer too small by one is refused");
+    for (const unit& u : small.all()) require(u == unit{}, "a refused buffer is left alone");
+    valid = good;
+    return {wire.begin(), wire.begin() + static_cast<std::ptrdiff_t>(*free)};
+}
+
+/// Decoding `wire` alone must give `m` under `e` and nothing else.
+template <wire_format F, class M>
+void check_decodes_to(std::span<const typename F::unit> wire, const typename F::envelope& e, const M& m) {
+    const exact<typename F::unit> copy(wire);
+    typename F::decoder decoder;
+    std::span<const typename F::unit> in = copy.all();
+    const auto event = decoder.next(in);
+    require(event.code == errc::ok && in.empty(), "what is encoded decodes as one packet");
+    require(event.packet.envelope() == e, "the envelope comes back");
+    const auto back = decode<M>(event.packet);
+    require(bool(back) && *back == m, "decode(encode(m)) == m");
+    check_validation(m);
+}
+
+/// octets → message → octets, for every packet in the input; and value → octets → value, the value drawn from the input.
+template <wire_format F>
+int roundtrip(std::span<const std::uint8_t> input) {
+    using unit = typename F::unit;
+    const auto units = traits<F>::units_from(input);
+    typename F::decoder decoder;
+    read<F>(decoder, units, [&](const auto& event) {
+        if (event.code != errc::ok) return;
+        const auto bad = visit<F>(event.packet, [&]<class M>(const M& m) {
+            bool valid = false;
+            const auto wire = encode_checked<F>(event.packet.envelope(), m, valid);
+            require(!wire.empty(), "what was decoded can be encoded, if need be unchecked");
+            if (traits<F>::evident(m)) check_decodes_to<F>(std::span<const unit>(wire), event.packet.envelope(), m);
+        });
+        require(!bad || bad.code == errc::bad_number || bad.code == errc::bad_length, "a known packet has a message, or a bad number or length");
+    });
+    dice d(hash_of(input), input);
+    F::messages::at(d.below(F::messages::count), [&]<class M>() {
+        arena memory;
+        const bool strange = d.one_in(4);
+        M m = random_message<M>(d, memory);
+        require(is_valid(m), "random messages are valid");
+        if (strange) change_one_value(m, d, memory);
+        const auto e = traits<F>::template envelope_for<M>(d, strange);
+        bool valid = false;
+        const auto wire = encode_checked<F>(e, m, valid);
+        require(valid || strange, "a valid message encodes");
+        if (!wire.empty() && traits<F>::evident(m)) check_decodes_to<F>(std::span<const unit>(wire), e, m);
+    });
+    return 0;
+}
+
+}  // namespace trama::fuzz

@@ -1,0 +1,160 @@
+#pragma once
+// Messages drawn from the schema: legal ones, and ones with a value just outside what is allowed.
+#include <array>
+#include <optional>
+
+#include "support.hpp"
+#include "trama/core/validate.hpp"
+
+namespace trama::fuzz {
+
+/// Where the views in a random message point to; lives as long as the message is used.
+struct arena {
+    std::array<std::uint8_t, 512> bytes{};
+    std::size_t used = 0;
+
+    std::span<std::uint8_t> take(std::size_t n) {
+        const auto part = std::span(bytes).subspan(used, n);
+        used += n;
+        return part;
+    }
+};
+
+/// Calls `f.operator()<W>(ref, value, rule)` for every single value of `v`, which `f` may change; see `each_leaf`.
+template <class W, class V>
+void each_place_of(V& v, const rule& own, field_ref at, auto& f) {
+    if constexpr (requires { typename W::element; }) {
+        for (std::size_t i = 0; i != v.size(); ++i) {
+            at.index = static_cast<std::uint8_t>(i);
+            each_place_of<typename W::element>(v[i], own, at, f);
+        }
+    } else if constexpr (has_layout<V>) {
+        each_index<V>([&]<std::size_t I>() {
+            constexpr auto& one = field_of<V, I>;
+            at.sub = static_cast<std::uint8_t>(I);
+            f.template operator()<typename std::remove_cvref_t<decltype(one)>::wire_type>(at, v.*one.member, one.allowed);
+        });
+    } else {
+        f.template operator()<W>(at, v, own);
+    }
+}
+template <has_layout M>
+void each_place(M& m, auto&& f) {
+    each_index<M>([&]<std::size_t I>() {
+        constexpr auto& one = field_of<M, I>;
+        if (!one.exists(m)) return;
+        each_place_of<typename std::remove_cvref_t<decltype(one)>::wire_type>(m.*one.member, one.allowed, field_ref{static_cast<std::uint8_t>(I)}, f);
+    });
+}
+
+/// A number that `r` allows and lies in `low..high`, corners more often than the rest.
+inline std::int64_t allowed_number(const rule& r, std::int64_t low, std::int64_t high, dice& d) {
+    if (r.set != 0) {
+        for (std::size_t bit = d.below(64);; bit = (bit + 1) % 64)
+            if ((r.set >> bit & 1) != 0) return static_cast<std::int64_t>(bit);
+    }
+    if (r.also != r.low && d.one_in(4) && r.allows(r.also)) return r.also;
+    low = std::max(low, r.low);
+    high = std::min(high, r.high);
+    if (low >= high) return low;
+    switch (d.below(4)) {
+        case 0: return low;
+        case 1: return high;
+        default: return low + static_cast<std::int64_t>(std::uint64_t{d.next()} % (static_cast<std::uint64_t>(high - low) + 1));
+    }
+}
+
+/// A number that the wire can carry, just past one end of what `r` allows, or anything.
+inline std::int64_t strange_number(const rule& r, std::int64_t low, std::int64_t high, dice& d) {
+    const std::int64_t near[] = {r.low > low ? r.low - 1 : low, r.high < high ? r.high + 1 : high, high, low + static_cast<std::int64_t>(d.next() % 70000U)};
+    return std::min(std::max(near[d.below(4)], low), high);
+}
+
+inline std::uint8_t random_character(dice& d) { return static_cast<std::uint8_t>(' ' + d.below(95)); }
+
+/// Gives one value something new, `strange` or allowed.
+template <class W, class V>
+void randomize_value(V& v, const rule& own, bool strange, dice& d, arena& memory) {
+    if constexpr (requires { v.columns; }) {
+        const std::size_t length = d.below(v.columns.size() + 1);
+        for (std::size_t i = 0; i != v.columns.size(); ++i) v.columns[i] = static_cast<char>(i < length ? random_character(d) : ' ');
+    } else if constexpr (requires { v.bytes(); }) {
+        const std::size_t room = std::min<std::size_t>(W::max_size, memory.bytes.size() - memory.used);
+        const std::size_t length = std::min(room, W::min + (d.one_in(8) ? d.below(W::max_size - W::min + 1) : d.below(12)));
+        const auto bytes = memory.take(length);
+        for (auto& b : bytes) b = W::printed == wire::print::text && !strange ? random_character(d) : static_cast<std::uint8_t>(d.next());
+        v = byte_view(bytes);
+    } else if constexpr (flag_set<V>) {
+        v = static_cast<V>(static_cast<std::uint64_t>(d.next()) % static_cast<std::uint64_t>(strange ? W::high + 1 : 4096));
+    } else if constexpr (enumerated<V>) {
+        constexpr auto table = names(V{});
+        if (strange) v = static_cast<V>(strange_number({0, table.size() - 1, 0, 0, {}, {}}, W::low, W::high, d));
+        else if (!own.any()) v = static_cast<V>(allowed_number(own, W::low, W::high, d));
+        else v = table[d.below(table.size())].value;
+    } else {
+        v = static_cast<V>(strange ? strange_number(own, W::low, W::high, d) : allowed_number(own, W::low, W::high, d));
+    }
+}
+
+/// Lists get the length that the message announces; fields that do not exist are emptied.
+template <has_layout M>
+void mend_shape(M& m, dice& d) {
+    if constexpr (!M::layout.fixed)
+        each_index<M>([&]<std::size_t I>() {
+            constexpr auto& one = field_of<M, I>;
+            using wire_type = typename std::remove_cvref_t<decltype(one)>::wire_type;
+            auto& v = m.*one.member;
+            if (!one.exists(m)) v = {};
+            else if constexpr (requires { typename wire_type::element; }) {
+                auto longer = v;
+                longer = {};
+                for (std::size_t i = 0; i != announced_count(m); ++i)
+                    (void)longer.push_back(i < v.size() ? v[i] : static_cast<std::remove_cvref_t<decltype(v[0])>>(d.below(1024)));
+                v = longer;
+            }
+        });
+}
+
+/// Where one field decides what another may hold, rules change with the values: gives way until nothing is violated.
+template <has_layout M>
+void mend_values(M& m, dice& d, arena& memory) {
+    for (int round = 0; round != 4 && !is_valid(m); ++round) {
+        each_place(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
+            const rule& r = rule_in_context(m, at, own);
+            if (broken_rule<W>(v, r) == nullptr) return;
+            if constexpr (requires { W::low; }) v = static_cast<std::remove_cvref_t<decltype(v)>>(allowed_number(enumerated<std::remove_cvref_t<decltype(v)>> && r.any() ? rule{0, 0, 0, 0, {}, {}} : r, W::low, W::high, d));
+            else randomize_value<W>(v, r, false, d, memory);
+        });
+        mend_shape(m, d);
+    }
+}
+
+/// A message without a violation.
+template <has_layout M>
+M random_message(dice& d, arena& memory) {
+    M m{};
+    for (int turn = 0; turn != 2; ++turn) {  // again for the fields that the first turn brought into being
+        memory.used = 0;
+        each_place(m, [&]<class W>(field_ref, auto& v, const rule& own) { randomize_value<W>(v, own, false, d, memory); });
+        mend_shape(m, d);
+    }
+    mend_values(m, d, memory);
+    return m;
+}
+
+/// Changes one value of `m`, half of the time to one that the document does not allow; the rest stays as it is.
+template <has_layout M>
+void change_one_value(M& m, dice& d, arena& memory) {
+    std::size_t places = 0;
+    each_place(m, [&]<class W>(field_ref, auto&, const rule&) { ++places; });
+    std::size_t turn = d.below(places);
+    const bool strange = d.one_in(2);
+    each_place(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
+        if (turn-- != 0) return;
+        const rule r = rule_in_context(m, at, own);
+        randomize_value<W>(v, r, strange, d, memory);
+    });
+    mend_shape(m, d);
+}
+
+}  // namespace trama::fuzz

@@ -1,0 +1,67 @@
+#pragma once
+// After garbage, or after a mutation of good traffic, intact messages must come through again.
+#include "mutate.hpp"
+
+namespace trama::fuzz {
+
+/// Clean traffic and where in it each packet begins; only messages that speak for themselves.
+template <wire_format F>
+struct traffic {
+    std::vector<typename F::unit> units;
+    std::vector<std::size_t> begins;
+    std::vector<octets> bodies;
+};
+
+template <wire_format F>
+traffic<F> clean_traffic(dice& d, std::size_t count) {
+    traffic<F> t;
+    while (t.begins.size() != count)
+        F::messages::at(d.below(F::messages::count), [&]<class M>() {
+            arena memory;
+            const M m = random_message<M>(d, memory);
+            if (!traits<F>::evident(m)) return;
+            std::array<typename F::unit, F::max_units> wire{};
+            const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
+            require(bool(size), "a valid message encodes");
+            octets body(body_size(m));
+            store_body(body.data(), m);
+            t.begins.push_back(t.units.size());
+            t.bodies.push_back(std::move(body));
+            t.units.insert(t.units.end(), wire.begin(), wire.begin() + static_cast<std::ptrdiff_t>(*size));
+        });
+    return t;
+}
+
+/// The input is what was heard on the line before: whatever it is, the traffic behind it arrives from the published bound on.
+template <wire_format F>
+int recovery(std::span<const std::uint8_t> input) {
+    using unit = typename F::unit;
+    constexpr std::size_t bound = traits<F>::recovery_bound;
+    dice d(hash_of(input));
+    auto units = traits<F>::units_from(input);
+    const std::size_t damaged = units.size();
+    const auto clean = clean_traffic<F>(d, 8 + bound / 8);
+    units.insert(units.end(), clean.units.begin(), clean.units.end());
+
+    // The bound holds where no window that is not a packet looks like one. From the last such window on, it holds again.
+    std::size_t settled = damaged;
+    for (std::size_t at = 0, next = 0; at != units.size(); ++at) {
+        if (next != clean.begins.size() && at == damaged + clean.begins[next]) {
+            ++next;
+        } else if (at + bound >= damaged && traits<F>::could_be_packet(std::span<const unit>(units).subspan(at))) {
+            settled = std::max(settled, at + units[at] + 1);
+        }
+    }
+    const auto events = transcript<F>(std::span<const unit>(units), [&] { return units.size(); });
+    std::size_t e = 0;
+    for (std::size_t i = 0; i != clean.begins.size(); ++i) {
+        const std::size_t begin = damaged + clean.begins[i];
+        if (begin < settled + bound) continue;
+        while (e != events.size() && events[e].offset < begin) ++e;
+        require(e != events.size() && events[e].offset == begin && events[e].code == errc::ok, "an intact packet past the bound is delivered");
+        require(events[e].body == clean.bodies[i], "an intact packet is delivered unchanged");
+    }
+    return 0;
+}
+
+}  // namespace trama::fuzz

@@ -1,0 +1,26 @@
+#pragma once
+// How fuzz input becomes the units of a medium. A format specialises `traits`; most take `octet_traits` as they are.
+#include <string>
+
+#include "support.hpp"
+
+namespace trama::fuzz {
+
+/// What the harness has to know about format `F` beyond the wire_format concept; see fuzz/formats/.
+template <class F>
+struct traits;
+
+/// For formats whose unit is an octet: the input is the stream.
+struct octet_traits {
+    static constexpr std::size_t unit_octets = 1;
+
+    static octets units_from(std::span<const std::uint8_t> input) { return {input.begin(), input.end()}; }
+    static octets octets_from(std::span<const std::uint8_t> units) { return {units.begin(), units.end()}; }
+    /// The stream as `trama decode --hex` reads it.
+    static void print_wire(std::span<const std::uint8_t> stream) {
+        for (const std::uint8_t b : stream) std::printf("%02x", b);
+        std::printf("\n");
+    }
+};
+
+}  // namespace trama::fuzz
