@@ -41,6 +41,7 @@ constexpr layout_row row_of(std::size_t offset) noexcept {
     row.allowed = documented_rule<typename one::value>(field_of<M, I>.allowed);
     row.optional = one::optional;
     row.size = wire_type::size;
+    if constexpr (requires { wire_type::at(offset); }) row.size = wire_type::value::layout.size;  // in two pieces
     if constexpr (requires { wire_type::constant; }) { row.constant = wire_type::constant; row.size -= 1; }
     if constexpr (requires { typename wire_type::element; }) {
         row.count = wire_type::max_count;

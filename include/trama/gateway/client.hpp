@@ -3,6 +3,7 @@
 #include "trama/core/link_quality.hpp"
 #include "trama/gateway/format.hpp"
 #include "trama/gateway/message_ids.hpp"
+#include "trama/gateway/order_slots.hpp"
 
 namespace trama::gateway {
 
@@ -15,7 +16,7 @@ enum class client_news : std::uint8_t {
     in_doubt,   ///< The connection was lost before the reply: likewise.
     state,      ///< cart_state or circuit_state, in `packet`.
     stray,      ///< A reply to no order in flight, such as a late one, or a reply of the wrong kind; in `packet`.
-    unknown,    ///< A record that the document lacks, or an order, which only clients send; in `packet`.
+    foreign,    ///< A record that the document lacks, or an order, which only clients send; in `packet`.
     fault,      ///< `code` says what was wrong with `skipped` bytes, or with the fields of `packet`.
 };
 
@@ -37,13 +38,10 @@ struct client_event {
     std::uint64_t skipped = 0;   ///< Of fault: bytes without use.
 };
 
-/// True for the orders that are answered by transit_ack or nack; all others by ack or nack.
-constexpr bool makes_transit(order_type type) noexcept { return type != order_type::none && transit_types.allows(static_cast<std::int64_t>(type)); }
-
 /// The client's side: numbers orders, matches replies by src_type and src_msg_id, tells which orders got none.
 ///
 /// An order without a reply is never repeated by itself, since it may have been carried out. The cart's next
-/// cart_state tells: `finds_cargo`. [gateway, "El servicio"]
+/// cart_state tells: `find_cargo`. [gateway, "El servicio"]
 template <std::size_t InFlight = 16>
 class client {
 public:
@@ -75,18 +73,15 @@ public:
     }
     /// Takes bytes from the front of `in` and reports one thing that happened, `need_more` when there is nothing left.
     constexpr client_event next(std::span<const std::uint8_t>& in, std::uint64_t now) noexcept {
-        std::span<const std::uint8_t> none{};
-        auto& source = lost_ ? none : in;
-        for (;;) {
-            const event e = decoder_.next(source);
-            if (e.code != errc::need_more) return judge(e, now);
+        if (lost_) {
+            std::span<const std::uint8_t> none{};
+            if (const event e = decoder_.next(none); e.code != errc::need_more) return judge(e, now);
             if (const client_event silent = give_up(now); silent.news != client_news::need_more) return silent;
-            if (!lost_) return {};
             lost_ = false;
             decoder_.reset();
-            if (in.empty()) return {};
-            return next_of_new(in, now);
         }
+        const event e = decoder_.next(in);
+        return e.code != errc::need_more ? judge(e, now) : give_up(now);
     }
 
     /// Orders that wait for a reply.
@@ -100,10 +95,6 @@ public:
     constexpr const link_quality& quality() const noexcept { return quality_; }
 
 private:
-    constexpr client_event next_of_new(std::span<const std::uint8_t>& in, std::uint64_t now) noexcept {
-        const event e = decoder_.next(in);
-        return e.code != errc::need_more ? judge(e, now) : client_event{};
-    }
     constexpr order_in_flight* slot_of(order_type type, std::uint32_t msg_id) noexcept {
         for (order_in_flight& o : orders_)
             if (o.type == type && (type == order_type::none || o.msg_id == msg_id)) return &o;
@@ -128,7 +119,7 @@ private:
         client_event out{};
         out.packet = e.packet;
         if (e.code == errc::unknown_message) {
-            out.news = client_news::unknown;
+            out.news = client_news::foreign;
             quality_.received(e.length, now);
         } else if (!e) {
             out.news = client_news::fault;
@@ -159,7 +150,7 @@ private:
             quality_.round_trip.add(now > o->sent ? now - o->sent : 0);
             *o = {};
         } else {
-            out.news = client_news::unknown;
+            out.news = client_news::foreign;
         }
     }
 

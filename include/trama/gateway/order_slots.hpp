@@ -4,6 +4,9 @@
 
 namespace trama::gateway {
 
+/// True for the orders that take a slot: they are answered by transit_ack or nack, all others by ack or nack.
+constexpr bool makes_transit(order_type type) noexcept { return type != order_type::none && transit_types.allows(static_cast<std::int64_t>(type)); }
+
 /// The two transits that a cart can hold. At most one slot each is `previous`, `current` and `next`; a slot that
 /// runs out of use keeps its content until a new order needs the place. [gateway, "Order_use"]
 ///

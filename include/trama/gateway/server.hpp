@@ -1,0 +1,188 @@
+#pragma once
+
+#include "trama/core/link_quality.hpp"
+#include "trama/gateway/message_ids.hpp"
+#include "trama/gateway/server_event.hpp"
+#include "trama/gateway/server_orders.hpp"
+
+namespace trama::gateway {
+
+/// The gateway's side: one connection at a time, orders into slots, replies, and states that nobody asked for.
+///
+/// A state waits in its cart until `poll` fetches it; a newer one replaces it. So a client that reads slowly gets fewer
+/// states, each of them the latest, and memory stays as it is. [gateway, "El servicio"]
+template <std::size_t Carts>
+class server {
+public:
+    /// A connection's number, never 0 and not used again for 2^32 connections.
+    using session = std::uint32_t;
+
+    constexpr explicit server(std::uint64_t rate_window = 1000) noexcept : quality_(rate_window) {}
+
+    /// A new connection: it replaces the one before, which is to be closed. All states become due.
+    constexpr session connect() noexcept {
+        decoder_.reset();
+        if (++latest_ == 0) ++latest_;
+        active_ = latest_;
+        circuit_changed_ = true;
+        for (std::size_t i = 0; i != carts_.size(); ++i) carts_[i].changed = true;
+        return active_;
+    }
+    /// A connection ended. Orders go on.
+    constexpr void disconnect(session s) noexcept {
+        if (s == active_) active_ = 0;
+    }
+    /// The connection that holds, 0 for none.
+    constexpr session active() const noexcept { return active_; }
+
+    /// Takes bytes of connection `s` from the front of `in`, carries out at most one order and writes its reply to `out`,
+    /// which holds a `max_reply`. `judge(order, cart)` may refuse it by a reason of 1..80 printable characters; `cart` is
+    /// null for idle_processing.
+    template <class Judge = accept_all>
+    constexpr server_event next(session s, std::span<const std::uint8_t>& in, std::uint64_t now, std::span<std::uint8_t> out, Judge&& judge = {}) noexcept {
+        server_event e{};
+        if (s != active_ || s == 0) {
+            if (in.empty()) return e;
+            e.news = server_news::stale;
+            e.skipped = in.size();
+            in = in.last(0);
+            return e;
+        }
+        if (out.size() < max_reply) {
+            e.news = server_news::no_room;
+            return e;
+        }
+        const event got = decoder_.next(in);
+        if (got.code != errc::need_more) take(got, now, out, judge, e);
+        return e;
+    }
+    static constexpr std::size_t max_reply = type_size + nack::layout.size + 2;
+
+    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there is none.
+    constexpr std::size_t poll(std::span<std::uint8_t> out) noexcept {
+        if (active_ == 0 || out.size() < max_record) return 0;
+        for (std::size_t i = 0; i != carts_.size(); ++i) {
+            turn_ = turn_ + 1 < carts_.size() ? turn_ + 1 : 0;
+            cart& c = carts_[turn_];
+            if (!c.changed) continue;
+            c.changed = false;
+            if (const std::size_t n = write(c.report(), out)) return n;
+        }
+        if (!circuit_changed_) return 0;
+        circuit_changed_ = false;
+        return write(circuit_, out);
+    }
+
+    constexpr cart_table<Carts>& carts() noexcept { return carts_; }
+    constexpr const cart_table<Carts>& carts() const noexcept { return carts_; }
+    constexpr const circuit_state& circuit() const noexcept { return circuit_; }
+    constexpr void set_circuit(const circuit_state& c) noexcept {
+        circuit_ = c;
+        circuit_changed_ = true;
+    }
+    constexpr const link_quality& quality() const noexcept { return quality_; }
+    /// Connections so far.
+    constexpr session connections() const noexcept { return latest_; }
+
+private:
+    constexpr void take(const event& got, std::uint64_t now, std::span<std::uint8_t> out, auto& judge, server_event& e) noexcept {
+        e.packet = got.packet;
+        if (got.code != errc::ok && got.code != errc::unknown_message) {
+            e.news = server_news::fault;
+            e.code = got.code;
+            e.skipped = got.length;
+            quality_.lost_step(got.length);
+            return;
+        }
+        quality_.received(got.length, now);
+        e.news = server_news::foreign;
+        messages::at(got.packet.index(), [&]<class M>() {
+            if constexpr (client_types.allows(static_cast<std::int64_t>(M::key))) answer<M>(got.packet, out, judge, e);
+        });
+    }
+
+    template <class M>
+    constexpr void answer(const packet& p, std::span<std::uint8_t> out, auto& judge, server_event& e) noexcept {
+        M m{};
+        const error bad = load_body(p.body(), m);
+        e.type = M::key;
+        if (bad) {
+            // A reply must name the order's number; without one there is nobody to answer.
+            const auto id = view<M>(p.body().data()).template get<&M::msg_id>();
+            e.code = bad.code;
+            e.news = server_news::fault;
+            if (!id) return;
+            const std::uint32_t cart_id = cart_named_in<M>(p);
+            m = M{};
+            m.msg_id = *id;
+            if constexpr (requires { m.cart_id; }) m.cart_id = cart_id;
+        }
+        e.msg_id = m.msg_id;
+        if constexpr (requires { m.cart_id; }) e.cart_id = m.cart_id;
+        e.reason = bad ? reason::bad_number : !is_valid(m) ? reason::out_of_range : decide(m, judge, e);
+        e.news = e.reason.empty() ? server_news::accepted : server_news::refused;
+        e.written = e.reason.empty() ? confirm<M>(e, out) : write(nack{0, e.cart_id, e.type, e.msg_id, text<80>(e.reason.substr(0, 80))}, out);
+    }
+
+    /// 0 where the order has no cart or its number cannot be read.
+    template <class M>
+    static constexpr std::uint32_t cart_named_in([[maybe_unused]] const packet& p) noexcept {
+        if constexpr (requires(M m) { m.cart_id; }) return view<M>(p.body().data()).template get<&M::cart_id>().value_or(0);
+        else return 0;
+    }
+    template <class M>
+    constexpr std::string_view decide(const M& m, auto& judge, server_event& e) noexcept {
+        if constexpr (requires { m.cart_id; }) {
+            cart* c = carts_.find(m.cart_id);
+            if (c == nullptr) return reason::unknown_cart;
+            if (const std::string_view veto = judge(m, static_cast<const cart*>(c)); !veto.empty()) return veto;
+            const text<10> name = transit_name();
+            const std::string_view refusal = detail::carry_out(m, *c, name);
+            if (refusal.empty() && makes_transit(M::key)) {
+                e.transit_id = name;
+                transits_ = transits_ + 1 == most_transits ? 1 : transits_ + 1;
+            }
+            return refusal;
+        } else {
+            return judge(m, static_cast<const cart*>(nullptr));
+        }
+    }
+    template <class M>
+    constexpr std::size_t confirm(const server_event& e, std::span<std::uint8_t> out) noexcept {
+        if constexpr (makes_transit(M::key)) return write(transit_ack{0, e.cart_id, e.type, e.msg_id, e.transit_id}, out);
+        else return write(ack{0, e.cart_id, e.type, e.msg_id}, out);
+    }
+
+    /// The bytes of a message under the next number. Values of the application that the document lacks are sent as
+    /// they are; 0 when the wire cannot carry them.
+    template <class M>
+    constexpr std::size_t write(M m, std::span<std::uint8_t> out) noexcept {
+        m.msg_id = ids_.peek();
+        const std::size_t size = format::encode_unchecked({}, m, out).value_or(0);
+        if (size == 0) return 0;
+        ids_.advance();
+        quality_.sent(size);
+        return size;
+    }
+    /// Transits are named T and a number of nine digits.
+    constexpr text<10> transit_name() const noexcept {
+        text<10> name("T000000000");
+        std::uint32_t left = transits_;
+        for (std::size_t i = 9; i != 0; --i, left /= 10) name.columns[i] = static_cast<char>('0' + left % 10);
+        return name;
+    }
+    static constexpr std::uint32_t most_transits = 1'000'000'000;
+
+    decoder decoder_{};
+    session active_ = 0;
+    session latest_ = 0;
+    message_ids ids_{};
+    std::uint32_t transits_ = 1;
+    std::size_t turn_ = 0;
+    cart_table<Carts> carts_{};
+    circuit_state circuit_{};
+    bool circuit_changed_ = true;
+    link_quality quality_;
+};
+
+}  // namespace trama::gateway

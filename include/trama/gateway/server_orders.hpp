@@ -1,0 +1,67 @@
+#pragma once
+
+#include <string_view>
+
+#include "trama/gateway/cart_table.hpp"
+#include "trama/gateway/messages.hpp"
+
+/// What each order does to its cart, and why it cannot. The words are what a nack says.
+namespace trama::gateway::reason {
+
+inline constexpr std::string_view unknown_cart = "unknown cart";
+inline constexpr std::string_view no_place = "cart has no free order slot";
+inline constexpr std::string_view not_ready = "cart takes no orders";
+inline constexpr std::string_view unknown_transit = "no such transit under way or waiting";
+inline constexpr std::string_view not_waiting = "cart does not wait at that node";
+inline constexpr std::string_view bad_number = "a field is no number";
+inline constexpr std::string_view out_of_range = "a value is out of range";
+
+}  // namespace trama::gateway::reason
+
+namespace trama::gateway::detail {
+
+/// The slot content that an order asks for.
+template <class M>
+constexpr transit_order transit_of(const M& m, const text<10>& transit_id) noexcept {
+    transit_order o{};
+    o.type = M::key;
+    o.transit_id = transit_id;
+    if constexpr (M::key == order_type::go_parking) {
+        o.node = m.parking_node;
+    } else if constexpr (M::key == order_type::go_node) {
+        o.node = m.node;
+    } else {
+        o.station_id = m.station_id;
+        o.station_type = m.station_type;
+        o.level = m.level;
+        o.options = m.options;
+        o.inputs = m.initial_inputs;
+        o.cargo_id = m.cargo_id;
+    }
+    return o;
+}
+
+/// Carries out an order for a cart. Empty when that was possible, else the reason why not; then nothing changed.
+template <class M>
+constexpr std::string_view carry_out(const M& m, cart& c, const text<10>& transit_id) noexcept {
+    if constexpr (makes_transit(M::key)) {
+        if (!has(c.report().cart_status, cart_status::ready)) return c.slots.has_place() ? reason::not_ready : reason::no_place;
+        (void)c.slots.accept(transit_of(m, transit_id));
+    } else if constexpr (M::key == order_type::cancel_transits) {
+        (void)c.slots.cancel();
+    } else if constexpr (M::key == order_type::send_command) {
+        if (!c.slots.template assign<&transit_order::last_command>(m.transit_id, m.command)) return reason::unknown_transit;
+    } else if constexpr (M::key == order_type::send_inputs) {
+        if (!c.slots.template assign<&transit_order::inputs>(m.transit_id, m.inputs)) return reason::unknown_transit;
+    } else if constexpr (M::key == order_type::send_cargo_id) {
+        if (!c.slots.template assign<&transit_order::cargo_id>(m.transit_id, m.cargo_id)) return reason::unknown_transit;
+    } else {
+        static_assert(M::key == order_type::cross_granted);
+        if (c.state.cross_confirmation_needed != 1 || c.state.end_node != m.node) return reason::not_waiting;
+        c.state.cross_confirmation_needed = 0;
+    }
+    c.changed = true;
+    return {};
+}
+
+}  // namespace trama::gateway::detail
