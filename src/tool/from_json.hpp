@@ -24,7 +24,9 @@ public:
     template <has_layout M>
     bool read(const json_value& object, M& m) {
         if (object.type != json_value::kind::object) return fail("an object is needed");
-        for (const auto& [name, value] : object.members) {
+        for (const json_value::member& one_member : object.members) {
+            const std::string& name = one_member.name;
+            const json_value& value = one_member.value;
             bool known = false, good = true;
             each_index<M>([&]<std::size_t I>() {
                 using one = std::remove_cvref_t<decltype(field_of<M, I>)>;

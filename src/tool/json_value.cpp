@@ -62,13 +62,13 @@ private:
         if (take('}')) return true;
         do {
             space();
-            std::pair<std::string, json_value> member;
+            json_value::member member;
             bool wide = false;
             if (peek() != '"') return fail("a name in quotes is missing");
-            if (!string(member.first, wide)) return false;
-            if (v.find(member.first) != nullptr) return fail("a name stands twice");
+            if (!string(member.name, wide)) return false;
+            if (v.find(member.name) != nullptr) return fail("a name stands twice");
             if (!take(':')) return fail("a colon is missing");
-            if (!value(member.second, depth + 1)) return false;
+            if (!value(member.value, depth + 1)) return false;
             v.members.push_back(std::move(member));
         } while (take(','));
         return take('}') || fail("the object has no end");

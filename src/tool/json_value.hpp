@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace trama::tool {
@@ -15,15 +14,22 @@ struct json_value {
     std::string text;   ///< Of a number its literal; of a string its characters, each as one byte.
     bool wide = false;  ///< The string holds a character beyond U+00FF, which no byte can be.
     std::vector<json_value> items;
-    std::vector<std::pair<std::string, json_value>> members;
+    struct member;
+    std::vector<member> members;
 
     /// The member called `name`, or null.
-    const json_value* find(std::string_view name) const {
-        for (const auto& [key, value] : members)
-            if (key == name) return &value;
-        return nullptr;
-    }
+    const json_value* find(std::string_view name) const;
 };
+struct json_value::member {
+    std::string name;
+    json_value value;
+};
+
+inline const json_value* json_value::find(std::string_view name) const {
+    for (const member& one : members)
+        if (one.name == name) return &one.value;
+    return nullptr;
+}
 
 /// What came of reading a text: a value, or what is wrong at which column, from 1.
 struct json_result {
