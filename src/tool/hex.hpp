@@ -24,8 +24,10 @@ public:
             if (foreign_) break;
             const bool space = c == ' ' || (c >= '\t' && c <= '\r');
             const int value = hex_value(static_cast<char>(c));
-            if (value < 0 && !space) { foreign_ = true; break; }
-            if (c == '\n') { ++line_; column_ = 1; } else { ++column_; }
+            foreign_ = value < 0 && !space;
+            if (foreign_ || (!space && half_ < 0)) place_ = at_;
+            if (foreign_) break;
+            at_ = c == '\n' ? place{at_.line + 1, 1} : place{at_.line, at_.column + 1};
             if (space) continue;
             if (half_ < 0) { half_ = value; continue; }
             bytes[size++] = static_cast<unsigned char>(half_ << 4 | value);
@@ -33,17 +35,22 @@ public:
         }
         return bytes.first(size);
     }
-    /// True once a character was no hex digit; `line()` and `column()` are its place.
+    /// True once a character was no hex digit.
     bool foreign() const noexcept { return foreign_; }
     /// True when a digit has no partner yet.
     bool odd() const noexcept { return half_ >= 0; }
-    std::uint64_t line() const noexcept { return line_; }
-    std::uint64_t column() const noexcept { return column_; }
+    /// Where that character or digit stands, both counted from 1.
+    std::uint64_t line() const noexcept { return place_.line; }
+    std::uint64_t column() const noexcept { return place_.column; }
 
 private:
+    struct place {
+        std::uint64_t line = 1, column = 1;
+    };
     int half_ = -1;
     bool foreign_ = false;
-    std::uint64_t line_ = 1, column_ = 1;
+    place at_;     ///< Of the next character.
+    place place_;  ///< Of the foreign character, or of the first digit of the latest pair.
 };
 
 }  // namespace trama::tool
