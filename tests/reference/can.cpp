@@ -46,19 +46,29 @@ class reassembly {
     if (frame->standard && frame->id >= 0x80 && frame->id <= 0x82) feed(number, *frame);
   }
 
+  // All of them end at the same moment: in the order of their first frames.
   void end() {
-    for (const auto& [id, under_way] : partials_) error(id, under_way, "truncated");
-    partials_.clear();
+    give_up("truncated", [](const partial&) { return true; }, [](const partial& a, const partial& b) { return a.line < b.line; });
   }
 
  private:
-  // Ascending identifiers where several time out at once.
+  // The one that stalled first is the first to be over time.
   void tick(const log_time& now) {
-    for (std::uint32_t id = 0x80; id <= 0x82; ++id) {
-      const auto found = partials_.find(id);
-      if (found == partials_.end() || !older_than_timeout(found->second.last, now)) continue;
-      error(id, found->second, "timed_out");
-      partials_.erase(found);
+    give_up("timed_out", [&](const partial& one) { return older_than_timeout(one.last, now); },
+            [](const partial& a, const partial& b) { return a.last < b.last; });
+  }
+
+  // Reports and forgets those that are over; ascending identifiers where `earlier` sees no difference.
+  void give_up(const std::string& code, auto over, auto earlier) {
+    std::vector<std::uint32_t> ids;
+    for (const auto& [id, under_way] : partials_) {
+      if (over(under_way)) ids.push_back(id);
+    }
+    std::stable_sort(ids.begin(), ids.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return earlier(partials_.at(a), partials_.at(b)); });
+    for (const std::uint32_t id : ids) {
+      error(id, partials_.at(id), code);
+      partials_.erase(id);
     }
   }
 
@@ -107,7 +117,8 @@ class reassembly {
   }
 
   void error(std::uint32_t id, const partial& frames, const std::string& code, const std::string& rest = "") {
-    lines.push_back(concat({head(id, frames), next_member("error", quoted(code)), bytes_member(frames.data), rest, "}"}));
+    lines.push_back(
+        concat({head(id, frames), next_member("error", quoted(code)), bytes_member(frames.data), rest, "}"}));
   }
 
   void message(std::uint32_t id, const partial& frames) {
