@@ -1,0 +1,33 @@
+#pragma once
+// The library against the reference in tests/reference, which was written from the specification alone.
+#include "lines.hpp"
+
+namespace trama::fuzz {
+
+/// Both say the same about the stream, with and without silences, and both encode every message line alike.
+template <wire_format F>
+int differential(std::span<const std::uint8_t> input) {
+    dice d(hash_of(input));
+    text_lines lines;
+    if constexpr (std::is_same_v<F, can::format>) {
+        constexpr std::uint64_t timeout = 50;
+        std::string log;
+        for (const auto& f : traits<F>::timed_units_from(input, timeout)) log += traits<F>::log_line(f) + "\n";
+        lines = library_can_lines(log, timeout * 1000);
+        require_same(lines, trama_reference::can_lines(log, 50e-6), "library and reference say the same about a log");
+    } else if constexpr (std::is_same_v<F, daisy::format>) {
+        lines = library_lines<F>(input);
+        require_same(lines, trama_reference::daisy_lines(input), "library and reference say the same about a stream");
+        std::vector<std::size_t> silences(2);
+        for (auto& s : silences) s = d.below(input.size() + 1);
+        std::sort(silences.begin(), silences.end());
+        require_same(library_lines<F>(input, silences), trama_reference::daisy_lines(input, silences), "library and reference say the same about a stream with silences");
+    } else {
+        lines = library_lines<F>(input);
+        require_same(lines, trama_reference::gateway_lines(input), "library and reference say the same about a stream");
+    }
+    for (const std::string& line : lines) check_encoders<F>(line);
+    return 0;
+}
+
+}  // namespace trama::fuzz

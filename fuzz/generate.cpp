@@ -1,0 +1,217 @@
+// Writes seed corpora and dictionaries from the schema: fuzz_generate [--check] FOLDER. With --check it writes nothing and
+// says what FOLDER holds that differs, so that CI notices when the schema has moved on.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "text.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace trama;
+using namespace trama::fuzz;
+
+/// All files to be, by their path under the folder.
+using files = std::map<std::string, std::string>;
+
+std::string as_text(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
+
+octets from_hex(std::string_view digits) {
+    octets out;
+    const auto value = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) out.push_back(static_cast<std::uint8_t>(value(digits[i]) << 4 | value(digits[i + 1])));
+    return out;
+}
+
+/// Octets as a dictionary entry.
+std::string quoted(std::string_view token) {
+    std::string out = "\"";
+    for (const char c : token) {
+        char text[8];
+        std::snprintf(text, sizeof text, c >= 0x20 && c <= 0x7E && c != '"' && c != '\\' ? "%c" : "\\x%02X", static_cast<unsigned char>(c));
+        out += text;
+    }
+    return out + "\"\n";
+}
+
+/// A name that tells requests from replies and is fit for a file.
+template <wire_format F, class M>
+std::string file_name() {
+    std::string name{M::name};
+    std::replace(name.begin(), name.end(), '.', '-');
+    if constexpr (std::is_same_v<F, daisy::format>)
+        if ((daisy::command_of(M::key) & daisy::response_bit) != 0) name += "-reply";
+    return name;
+}
+
+template <wire_format F>
+std::string json_of(std::span<const typename F::unit> units) {
+    std::string lines;
+    typename F::decoder decoder;
+    read<F>(decoder, units, [&](const typename F::event& e) { lines += line_of<F>(e) + "\n"; });
+    return lines;
+}
+
+/// Two seeds of every message: one as it should be, one with a value that the document does not allow.
+template <wire_format F>
+void add_seeds(files& all) {
+    const std::string format{F::name};
+    std::uint32_t seed = 1;
+    F::messages::each([&]<class M>() {
+        for (const bool strange : {false, true}) {
+            dice d(++seed);
+            arena memory;
+            M m = random_message<M>(d, memory);
+            while (!traits<F>::evident(m)) m = random_message<M>(d, memory);
+            if (strange && M::layout.count != 0) change_one_value(m, d, memory);
+            else if (strange) continue;
+            std::array<typename F::unit, F::max_units> wire{};
+            const auto size = F::encode_unchecked(traits<F>::template envelope_for<M>(d), m, wire);
+            if (!size) continue;
+            const auto units = std::span<const typename F::unit>(wire).first(*size);
+            const std::string name = file_name<F, M>() + (strange ? "-strange" : "");
+            all["corpus/" + format + "/" + name] = as_text(traits<F>::octets_from(units));
+            if (!strange) all["corpus/" + format + "_text/" + name] = json_of<F>(units);
+        }
+    });
+}
+
+/// The examples that the documents print, octet by octet.
+void add_documented(files& all) {
+    all["corpus/daisy/document-set_direction"] = as_text(from_hex("051100400155"));
+    all["corpus/daisy/document-battery_empty_alarm"] = as_text(from_hex("060062456b0349"));
+    const std::pair<const char*, octets> frames[] = {
+        {"continuous_all", from_hex("01014643410000000000000000000000000000000000000000")},
+        {"continuous_specific", from_hex("020246435300000000000000000000000000000400010203")},
+        {"interval", from_hex("0a03464953140b030d140b030f090f0a171e050400010203")},
+    };
+    for (const auto& [name, data] : frames) {
+        octets input;
+        for (std::size_t at = 0; at != 24; at += 8) {
+            input.push_back(0);
+            input.push_back(8);
+            input.insert(input.end(), data.begin() + static_cast<std::ptrdiff_t>(at), data.begin() + static_cast<std::ptrdiff_t>(at + 8));
+        }
+        all[std::string("corpus/can/document-") + name] = as_text(input);
+    }
+    all["corpus/can_text/document-log"] =
+        "(0.000000) can0 081#020452\n(0.010000) can0 081#0204520400640102\n(0.020000) can0 082#010741\n(0.030000) can0 081#02045204006401F0\n"
+        "(1.500000) vcan0 080#0A0943140B04010C\n(1.500001) vcan0 080#141E\n(2.0) can1 00000081#0102\n(2.1) can1 081#R8\n(2.2) can1 081##1020304\n";
+}
+
+/// Every name in the schema of `M`: fields, nested fields, enumerators.
+template <has_layout M>
+void collect_names(std::set<std::string>& names_seen) {
+    each_index<M>([&]<std::size_t I>() {
+        using one = std::remove_cvref_t<decltype(field_of<M, I>)>;
+        names_seen.insert("\"" + std::string(field_of<M, I>.name) + "\":");
+        const auto value = [&]<class V>() {
+            if constexpr (has_layout<V>) collect_names<V>(names_seen);
+            else if constexpr (enumerated<V>)
+                for (const auto& e : names(V{})) names_seen.insert("\"" + std::string(e.name) + "\"");
+        };
+        if constexpr (requires { typename one::value::value_type; }) value.template operator()<typename one::value::value_type>();
+        else value.template operator()<typename one::value>();
+    });
+}
+
+/// The first octets of every message, as the medium delivers them.
+template <wire_format F>
+std::set<std::string> headers() {
+    std::set<std::string> tokens;
+    std::uint32_t seed = 1;
+    F::messages::each([&]<class M>() {
+        dice d(++seed);
+        arena memory;
+        const M m = random_message<M>(d, memory);
+        std::array<typename F::unit, F::max_units> wire{};
+        const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
+        if (!size) return;
+        const octets bytes = traits<F>::octets_from(std::span<const typename F::unit>(wire).first(*size));
+        constexpr std::size_t length = std::is_same_v<F, can::format> ? 5 : 4;
+        tokens.insert(as_text(std::span(bytes).first(std::min(bytes.size(), length))));
+    });
+    return tokens;
+}
+
+template <wire_format F>
+void add_dictionaries(files& all) {
+    const std::string format{F::name};
+    std::string wire = "# Made by fuzz_generate from the schema: how each message begins.\n";
+    for (const auto& token : headers<F>()) wire += quoted(token);
+    if constexpr (std::is_same_v<F, gateway::format>) wire += quoted("\x03") + quoted("\x03\x02") + quoted("     ") + quoted("  0");
+    all["dict/" + format + ".dict"] = wire;
+
+    std::set<std::string> words{"{\"protocol\":\"" + format + "\"", "\"message\":\"", "\"fields\":{", "\"violations\":[", "\"error\":\"", "\\u00e9", "\\u0000", "\\ud800", "null", "true", "-1", "1e3", "0.5", "}}"};
+    F::messages::each([&]<class M>() {
+        words.insert("\"" + std::string(M::name) + "\"");
+        collect_names<M>(words);
+    });
+    if constexpr (std::is_same_v<F, daisy::format>) words.insert({"\"destination\":", "\"source\":", "\"kind\":\"response\"", "\"kind\":\"request\"", "\"offset\":", "\"length\":"});
+    if constexpr (std::is_same_v<F, can::format>) words.insert({"\"id\":129", "\"line\":", "\"frames\":", "(0.000000) can0 081#", "##1", "#R"});
+    std::string json = "# Made by fuzz_generate from the schema: the words of its JSON.\n";
+    for (const auto& word : words) json += quoted(word);
+    all["dict/" + format + "_text.dict"] = json;
+}
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Differences between what `folder` holds and what it should hold.
+int check(const fs::path& folder, const files& all) {
+    int differences = 0;
+    const auto tell = [&](const std::string& path, const char* what) {
+        std::fprintf(stderr, "%s: %s\n", path.c_str(), what);
+        ++differences;
+    };
+    for (const auto& [path, text] : all)
+        if (!fs::exists(folder / path)) tell(path, "is missing");
+        else if (content(folder / path) != text) tell(path, "is not what the schema says");
+    for (const char* part : {"corpus", "dict"}) {
+        if (!fs::exists(folder / part)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(folder / part)) {
+            const std::string path = fs::relative(entry.path(), folder).generic_string();
+            if (entry.is_regular_file() && !all.contains(path)) tell(path, "is not made from the schema");
+        }
+    }
+    if (differences != 0) std::fprintf(stderr, "run fuzz_generate on the folder fuzz/ and commit what it changes\n");
+    return differences == 0 ? 0 : 1;
+}
+
+void write(const fs::path& folder, const files& all) {
+    fs::remove_all(folder / "corpus");
+    fs::remove_all(folder / "dict");
+    for (const auto& [path, text] : all) {
+        fs::create_directories((folder / path).parent_path());
+        std::ofstream(folder / path, std::ios::binary) << text;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool checking = argc == 3 && std::string_view(argv[1]) == "--check";
+    if (argc != 2 && !checking) {
+        std::fprintf(stderr, "usage: fuzz_generate [--check] FOLDER\n");
+        return 2;
+    }
+    files all;
+    add_seeds<daisy::format>(all);
+    add_seeds<can::format>(all);
+    add_seeds<gateway::format>(all);
+    add_documented(all);
+    add_dictionaries<daisy::format>(all);
+    add_dictionaries<can::format>(all);
+    add_dictionaries<gateway::format>(all);
+    if (checking) return check(argv[2], all);
+    write(argv[1], all);
+    return 0;
+}
+
+// The mutators that come along with the harness are not used here.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) { return size; }

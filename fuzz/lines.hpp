@@ -1,0 +1,118 @@
+#pragma once
+// The command-line tool's lines, made in memory: what `trama decode` prints and what `trama encode` reads.
+#include <string>
+
+#include "formats/can.hpp"
+#include "formats/daisy.hpp"
+#include "formats/gateway.hpp"
+#include "mutate.hpp"
+#include "reference/reference.hpp"
+#include "tool/candump.hpp"
+#include "tool/encode_line.hpp"
+#include "tool/event_line.hpp"
+
+namespace trama::fuzz {
+
+using text_lines = std::vector<std::string>;
+
+template <wire_format F>
+std::string line_of(const typename F::event& e) {
+    static std::array<char, tool::longest_line> memory;
+    text_sink sink(memory);
+    (void)tool::print_event<F>(sink, e, notation::json);
+    require(!sink.full(), "a line has room in longest_line");
+    return std::string(sink.view());
+}
+
+/// What the library says about a stream; for octet formats.
+template <wire_format F>
+text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const std::size_t> idle_at = {}) {
+    text_lines lines;
+    typename F::decoder decoder;
+    const auto note = [&](const typename F::event& e) { lines.push_back(line_of<F>(e)); };
+    std::size_t at = 0;
+    for (const std::size_t stop : idle_at) {
+        read<F>(decoder, stream.subspan(at, stop - at), note);
+        at = stop;
+        if constexpr (requires { decoder.idle(); }) decoder.idle();
+        read<F>(decoder, {}, note);
+    }
+    read<F>(decoder, stream.subspan(at), note);
+    decoder.finish();
+    read<F>(decoder, {}, note);
+    return lines;
+}
+
+/// What the library says about a candump log, timed and numbered as the tool does it.
+inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout) {
+    text_lines lines;
+    can::reassembler r({can::central_master, can::master_1, can::master_2}, timeout);
+    const auto note = [&](const can::event& e) { lines.push_back(line_of<can::format>(e)); };
+    for (std::uint64_t number = 1; !log.empty(); ++number) {
+        const std::string_view line = log.substr(0, log.find('\n'));
+        log.remove_prefix(std::min(log.size(), line.size() + 1));
+        const auto frame = tool::parse_candump(line);
+        if (!frame) {
+            lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}");
+            continue;
+        }
+        r.tick(frame->time);
+        r.seek(number);
+        read<can::format>(r, {&*frame, 1}, note);
+    }
+    r.finish();
+    read<can::format>(r, {}, note);
+    return lines;
+}
+
+inline void require_same(const text_lines& library, const text_lines& reference, const char* property) {
+    if (library == reference) return;
+    for (std::size_t i = 0; i != std::max(library.size(), reference.size()); ++i) {
+        const char* a = i < library.size() ? library[i].c_str() : "(nothing)";
+        const char* b = i < reference.size() ? reference[i].c_str() : "(nothing)";
+        if (std::strcmp(a, b) != 0) std::fprintf(stderr, "line %zu\n  library:   %s\n  reference: %s\n", i + 1, a, b);
+    }
+    require(false, property);
+}
+
+/// What each side makes of a line of JSON, as octets or as a log; nothing where it is refused.
+template <wire_format F>
+std::optional<octets> library_encodes(std::string_view line, bool unchecked) {
+    const auto e = tool::encode_line<F>(line, unchecked);
+    if (!e.error.empty()) return std::nullopt;
+    if constexpr (std::is_same_v<F, can::format>) {
+        octets log;
+        for (const auto& f : e.units) {
+            std::array<char, 64> memory;
+            text_sink sink(memory);
+            tool::print_candump(sink, f);
+            log.insert(log.end(), sink.view().begin(), sink.view().end());
+        }
+        return log;
+    } else {
+        return e.units;
+    }
+}
+template <wire_format F>
+std::optional<octets> reference_encodes(std::string_view line, bool unchecked) {
+    if constexpr (std::is_same_v<F, daisy::format>) return trama_reference::daisy_encode(line, unchecked);
+    else if constexpr (std::is_same_v<F, gateway::format>) return trama_reference::gateway_encode(line, unchecked);
+    else {
+        const auto log = trama_reference::can_encode(line, unchecked);
+        if (!log) return std::nullopt;
+        return octets(log->begin(), log->end());
+    }
+}
+template <wire_format F>
+void check_encoders(std::string_view line) {
+    for (const bool unchecked : {false, true}) {
+        const auto a = library_encodes<F>(line, unchecked), b = reference_encodes<F>(line, unchecked);
+        if (a != b) std::fprintf(stderr, "line:      %.*s\nlibrary:   %s\nreference: %s\n", static_cast<int>(line.size()), line.data(),
+                                 a ? std::string(a->begin(), a->end()).c_str() : tool::encode_line<F>(line, unchecked).error.c_str(),
+                                 b ? std::string(b->begin(), b->end()).c_str() : "(refused)");
+        require(a.has_value() == b.has_value(), unchecked ? "library and reference refuse the same lines, unchecked" : "library and reference refuse the same lines");
+        require(a == b, "library and reference encode a line alike");
+    }
+}
+
+}  // namespace trama::fuzz

@@ -1,0 +1,1 @@
+"""The parts of tests/mutants. Only Python's standard library is used."""

@@ -1,0 +1,160 @@
+"""Builds one fault in a copy of the tree and looks what notices it."""
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+# What a compiler says when a check in the tests, or an array bound at compile time, has caught the fault.
+_CHECKED = re.compile(r"static assertion|static_assert|constant expression|constexpr variable|call to consteval")
+_COPIED = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "include", "src", "tests", "fuzz", "docs", "examples", "bench")
+
+
+class Broken(Exception):
+    """The tree is not fit for a campaign: it fails without any fault."""
+
+
+def limits():
+    # A fault may make a loop endless that fills memory.
+    resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+
+
+class Bench:
+    """A copy of the tree with its build folder, which every fault starts from in the same state."""
+
+    def __init__(self, root, folder, fuzz_seconds, thorough, stopped):
+        self.root, self.folder = root, folder
+        self.tree, self.build, self.pristine = folder / "tree", folder / "build", folder / "pristine"
+        self.fuzz_seconds, self.thorough, self.stopped = fuzz_seconds, thorough, stopped
+        self.log = folder / "log"
+        self.process = None
+
+    # Preparing
+
+    def prepare(self, say):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.tree.mkdir(parents=True)
+        for name in _COPIED:
+            if (self.root / name).is_dir():
+                shutil.copytree(self.root / name, self.tree / name, symlinks=True)
+            elif (self.root / name).is_file():
+                shutil.copy2(self.root / name, self.tree / name)
+        clang = os.environ.get("CXX_FUZZ", "clang++")
+        self._must(["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_CXX_COMPILER={clang}",
+                    "-DTRAMA_BUILD_TESTS=ON", "-DTRAMA_BUILD_FUZZ=ON", "-DTRAMA_FUZZ_ENGINE=-fsanitize=fuzzer",
+                    "-DCMAKE_CXX_FLAGS=-O1 -gline-tables-only -D_GLIBCXX_ASSERTIONS -fsanitize=fuzzer-no-link"], "configuring")
+        for step in self.steps(None):
+            say(f"without a fault: {step}")
+            verdict = self._step(step)
+            if verdict:
+                raise Broken(f"{step} already fails without a fault ({verdict}); see {self.log}")
+        shutil.copytree(self.build, self.pristine, symlinks=True)
+
+    def _must(self, command, what):
+        if self._run(command, 1800)[0] != 0:
+            raise Broken(f"{what} failed; see {self.log}")
+
+    def _names(self):
+        r = subprocess.run(["ninja", "-C", str(self.build), "-t", "targets", "all"], capture_output=True, text=True)
+        return [line.split(":")[0] for line in r.stdout.splitlines() if ":" in line]
+
+    def steps(self, path):
+        """What looks for a fault in `path`, likely finders first: test programs, then fuzz targets. All of them for None."""
+        names = self._names()
+        tests = sorted(n for n in set(names) if re.fullmatch(r"test_\w+", n))
+        fuzz = sorted(n for n in set(names) if re.fullmatch(r"fuzz_(daisy|can|gateway)_\w+", n))
+        module = path.split("/")[2] if path and path.startswith("include/trama/") and path.count("/") > 2 else None
+        if module in ("daisy", "can", "gateway"):
+            fuzz = [n for n in fuzz if n.startswith(f"fuzz_{module}_")]
+            others = {"test_daisy", "test_can", "test_gateway"} - {f"test_{module}"}
+            tests = [t for t in tests if t not in others]
+        first = {f"test_{module}": 0, "test_golden": 1, "test_core": 2 if module else 0, "test_laws": 4}
+        ideas = {"differential": 0, "roundtrip": 1, "stream": 2, "recovery": 3, "reassembly": 3, "text": 4, "decode": 5}
+        return sorted(tests, key=lambda t: (first.get(t, 3), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
+
+    # One fault
+
+    def judge(self, fault):
+        """{"verdict": killed, survived or invalid, "by": the steps that noticed, …}."""
+        source = self.tree / fault.path
+        text, times = source.read_text(), source.stat()
+        started = time.monotonic()
+        by = []
+        try:
+            source.write_text(fault.applied_to(text))
+            steps = self.steps(fault.path)
+            self._fuzz_share = self.fuzz_seconds / max(1, sum(s.startswith("fuzz_") for s in steps))
+            for step in steps:
+                if self.stopped():
+                    return None
+                verdict = self._step(step)
+                if verdict == "invalid":
+                    return {"verdict": "invalid", "by": [], "seconds": round(time.monotonic() - started, 1)}
+                if verdict:
+                    by.append(f"{step} ({verdict})")
+                    if not self.thorough:
+                        break
+        finally:
+            source.write_text(text)
+            os.utime(source, ns=(times.st_atime_ns, times.st_mtime_ns))
+            self._restore()
+        return {"verdict": "killed" if by else "survived", "by": by, "seconds": round(time.monotonic() - started, 1)}
+
+    def _restore(self):
+        """Puts back every file of the build that the fault has touched."""
+        kept = {p.relative_to(self.pristine): p for p in self.pristine.rglob("*") if p.is_file() and not p.is_symlink()}
+        for path in self.build.rglob("*"):
+            if path.is_file() and not path.is_symlink() and path.relative_to(self.build) not in kept:
+                path.unlink()
+        for name, path in kept.items():
+            there, here = self.build / name, path.stat()
+            if not there.exists() or there.stat().st_mtime_ns != here.st_mtime_ns or there.stat().st_size != here.st_size:
+                shutil.copy2(path, there)
+
+    _fuzz_share = 1.0
+
+    def _step(self, name):
+        """Builds and runs one program: how it noticed something is wrong, "invalid", or nothing."""
+        status, said = self._run(["cmake", "--build", str(self.build), "--target", name, "--", "-j1"], 1800)
+        if status != 0:
+            return "compile time" if _CHECKED.search(said) else "invalid"
+        program = self.build / ("fuzz" if name.startswith("fuzz_") else "tests") / name
+        if name.startswith("test_"):
+            return self._verdict([str(program), "--gtest_brief=1", "--gtest_fail_fast"], 600)
+        target = name.removeprefix("fuzz_")
+        seeds = self.tree / "fuzz" / "corpus" / target
+        seeds = seeds if seeds.is_dir() else self.tree / "fuzz" / "corpus" / target.split("_")[0]
+        folders = [str(f) for f in (seeds, self.tree / "fuzz" / "regressions" / target) if f.is_dir()]
+        verdict = self._verdict([str(program), "-runs=0", *folders], 300)
+        if verdict:
+            return "seeds"
+        scratch = self.folder / "corpus"
+        shutil.rmtree(scratch, ignore_errors=True)
+        scratch.mkdir()
+        seconds = max(1, round(self._fuzz_share))
+        return self._verdict([str(program), f"-max_total_time={seconds}", "-seed=1", "-timeout=10", "-rss_limit_mb=4096", f"-artifact_prefix={scratch}/", str(scratch), *folders],
+                             seconds + 120)
+
+    def _verdict(self, command, seconds):
+        status, _ = self._run(command, seconds)
+        return "" if status == 0 else "hangs" if status is None else "fails"
+
+    def _run(self, command, seconds):
+        """(status or None after too long, the end of what it said)."""
+        with open(self.log, "wb") as log:
+            self.process = p = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, cwd=self.folder, start_new_session=True, preexec_fn=limits)
+            try:
+                status = p.wait(seconds)
+            except subprocess.TimeoutExpired:
+                os.killpg(p.pid, signal.SIGKILL)
+                p.wait()
+                status = None
+        text = Path(self.log).read_bytes()
+        return status, text[:400000].decode(errors="replace")
+
+    def stop(self):
+        if self.process and self.process.poll() is None:
+            os.killpg(self.process.pid, signal.SIGKILL)
