@@ -1,0 +1,115 @@
+// L6: what a fault can cost. Every schedule, every joining phase, every single-byte fault.
+//
+// Asserted: after the last damaged byte every intact documented packet that starts 256 bytes later is delivered, to the
+// end of the run, which goes on for several times the longest packet. The figures printed are measured, not judged.
+
+#include "daisy/faulty_line.hpp"
+
+namespace trama::test {
+namespace {
+
+constexpr std::size_t run_size = 1100;  ///< 256 to the bound, the rest to see whether the footing holds.
+
+class daisy_schedule : public testing::TestWithParam<schedule> {
+protected:
+    const schedule& s = GetParam();
+    tally changed, lost, inserted;
+
+    void expect_bound(const outcome& o, std::string_view kind, std::size_t at, unsigned value) {
+        EXPECT_EQ(o.late, 0U) << s.name << ": documented packets lost behind the bound, byte " << at << ' ' << kind << ", value " << value;
+    }
+    /// Every single-byte fault in the first cycle after `decoder`'s past; `step` leaves out values.
+    void every_fault(const daisy::decoder& decoder, unsigned step) {
+        const faulty_line clean(s, run_size);
+        for (std::size_t at = 0; at != s.cycle.size() && !HasFailure(); ++at) {
+            faulty_line broken = clean;
+            broken.break_packet(at);
+            faulty_line longer = clean;
+            longer.insert(at, 0);
+            for (unsigned difference = 1; difference < 256; difference += step) {
+                const auto value = static_cast<std::uint8_t>(clean[at] ^ difference);
+                broken.corrupt(at, value);
+                const outcome o = broken.run(decoder, at);
+                expect_bound(o, "changed", at, value);
+                changed.add(o);
+            }
+            for (unsigned value = 0; value < 256; value += step) {  // among them the doubled byte
+                longer.corrupt(at, static_cast<std::uint8_t>(clean[at] ^ value));
+                const outcome o = longer.run(decoder, at);
+                expect_bound(o, "inserted", at, value);
+                inserted.add(o);
+            }
+            faulty_line shorter = clean;
+            shorter.lose(at);
+            const outcome o = shorter.run(decoder, at);
+            expect_bound(o, "lost", at, 0);
+            lost.add(o);
+        }
+    }
+    void print() const {
+        changed.print(s.name, "changed");
+        inserted.print(s.name, "inserted");
+        lost.print(s.name, "lost");
+    }
+};
+
+TEST_P(daisy_schedule, finds_its_footing_wherever_it_joins) {
+    tally joined;
+    for (std::size_t phase = 0; phase != s.cycle.size(); ++phase) {
+        faulty_line line(s, 4 * run_size);
+        line.join(phase);
+        const outcome o = line.run(daisy::decoder{}, 0);
+        EXPECT_EQ(o.late, 0U) << "joined at " << phase;
+        joined.add(o);
+    }
+    joined.print(s.name, "joined");
+}
+
+TEST_P(daisy_schedule, forgets_any_single_byte_fault_while_in_step) {
+    every_fault(decoder_after(repeated(s, 20)), 1);
+    print();
+}
+
+TEST_P(daisy_schedule, forgets_any_single_byte_fault_wherever_it_joined) {
+    // Values in steps, so that the longer schedules stay quick; the decoder in step above sees all of them.
+    const unsigned step = s.cycle.size() < 20 ? 1 : s.cycle.size() < 40 ? 7 : 31;
+    for (std::size_t phase = 0; phase != s.cycle.size(); ++phase) every_fault(decoder_after(repeated(s, 1, phase)), step);
+    print();
+}
+
+TEST(daisy_recovery, holds_its_bound_on_random_schedules) {
+    tally joined, changed;
+    for (std::uint64_t seed = 1; seed != 61; ++seed) {
+        const schedule s = random_schedule(seed);
+        const daisy::decoder in_step = decoder_after(repeated(s, 20));
+        const faulty_line clean(s, std::max(run_size, 4 * s.cycle.size()));
+        for (std::size_t at = 0; at != s.cycle.size(); ++at) {
+            SCOPED_TRACE(testing::Message() << s.name << ", byte " << at);
+            faulty_line line = clean;
+            line.join(at);
+            const outcome o = line.run(daisy::decoder{}, 0);
+            EXPECT_EQ(o.late, 0U) << "joined";
+            joined.add(o);
+            faulty_line broken = clean;
+            broken.break_packet(at);
+            for (unsigned difference = 1; difference < 256; difference += 12) {
+                broken.corrupt(at, static_cast<std::uint8_t>(clean[at] ^ difference));
+                const outcome c = broken.run(in_step, at);
+                EXPECT_EQ(c.late, 0U) << "changed by " << difference;
+                changed.add(c);
+            }
+        }
+    }
+    joined.print("random schedules", "joined");
+    changed.print("random schedules", "changed");
+}
+
+INSTANTIATE_TEST_SUITE_P(recovery, daisy_schedule, testing::ValuesIn(all_schedules()), [](const auto& one) {
+    std::string name = one.param.name;
+    std::erase(name, ',');
+    for (char& c : name) c = c == ' ' ? '_' : c;
+    return name;
+});
+
+}  // namespace
+}  // namespace trama::test
