@@ -42,34 +42,58 @@ std::string in_hex(unsigned value) {
     return std::string{s.view()};
 }
 
-/// How a message is told from others, and its whole size on the wire.
-template <class F, class M>
-struct about {
-    static constexpr bool is_daisy = std::is_same_v<F, daisy::format>, is_can = std::is_same_v<F, can::format>;
-    static constexpr std::size_t first_field = is_daisy ? 4 : is_can ? 0 : 4;
+/// What the schema tells about one message, without its type, so that the rest need not be compiled for each.
+struct portrait {
+    tool::protocol protocol{};
+    std::string_view format, name, section;
+    unsigned identity = 0;                     ///< Command, letter or type.
+    std::span<const std::uint8_t> frames;      ///< Lengths of a can message's frames.
+    std::size_t size = 0, max_size = 0;        ///< Of the fields.
+    std::vector<layout_row> fields;
 
-    static std::string kind() {
-        if constexpr (is_daisy) return (daisy::command_of(M::key) & daisy::response_bit) != 0 ? "response" : "request";
-        else return {};
-    }
-    static std::string identity() {
-        if constexpr (is_daisy) return "command " + in_hex(daisy::command_of(M::key));
-        else if constexpr (is_can) return std::string{"letter "} + static_cast<char>(static_cast<unsigned>(M::key) >> 8);
-        else return "type " + std::to_string(static_cast<unsigned>(M::key));
-    }
-    static std::string size() {
-        if constexpr (is_can) {
-            std::string dlc = "DLC ";
-            for (const unsigned n : M::frame_lengths) dlc.append(dlc.size() > 4 ? "+" : "").append(std::to_string(n));
-            return dlc;
-        } else if constexpr (is_daisy) {
-            const std::size_t least = daisy::min_packet + M::layout.size, most = daisy::min_packet + M::layout.max_size;
-            return (M::layout.fixed ? std::to_string(least) : std::to_string(least) + ".." + std::to_string(std::min(most, daisy::max_packet))) + " bytes";
-        } else {
-            return std::to_string(M::layout.size + gateway::type_size + 2) + " bytes";
-        }
-    }
+    bool response() const { return protocol == protocol::daisy && (identity & daisy::response_bit) != 0; }
+    std::size_t first_field() const { return protocol == protocol::can ? 0 : 4; }
 };
+
+template <class F, class M>
+portrait draw() {
+    portrait p;
+    p.format = F::name;
+    p.protocol = *parse_protocol(F::name);
+    p.name = M::name;
+    p.section = M::section;
+    p.size = M::layout.size;
+    p.max_size = M::layout.max_size;
+    if constexpr (std::is_same_v<F, daisy::format>) p.identity = daisy::command_of(M::key);
+    else if constexpr (std::is_same_v<F, can::format>) p.identity = static_cast<unsigned>(M::key) >> 8;
+    else p.identity = static_cast<unsigned>(M::key);
+    if constexpr (requires { M::frame_lengths; }) p.frames = M::frame_lengths;
+    for_each_row<M>([&](const layout_row& row) { p.fields.push_back(row); });
+    return p;
+}
+
+std::string kind(const portrait& p) {
+    if (p.protocol != protocol::daisy) return {};
+    return p.response() ? "response" : "request";
+}
+
+std::string identity(const portrait& p) {
+    if (p.protocol == protocol::daisy) return "command " + in_hex(p.identity);
+    if (p.protocol == protocol::can) return std::string{"letter "} + static_cast<char>(p.identity);
+    return "type " + std::to_string(p.identity);
+}
+
+std::string size(const portrait& p) {
+    if (p.protocol == protocol::can) {
+        std::string dlc = "DLC ";
+        for (const unsigned n : p.frames) dlc.append(dlc.size() > 4 ? "+" : "").append(std::to_string(n));
+        return dlc;
+    }
+    const std::size_t around = p.protocol == protocol::daisy ? daisy::min_packet : gateway::type_size + 2;
+    std::string text = std::to_string(around + p.size);
+    if (p.max_size != p.size) text.append("..").append(std::to_string(std::min(around + p.max_size, daisy::max_packet)));
+    return text + " bytes";
+}
 
 std::string range_of(const layout_row& row) {
     if (row.allowed == nullptr) return {};
@@ -79,60 +103,68 @@ std::string range_of(const layout_row& row) {
     return std::string{s.view()};
 }
 
-template <class F, class M>
-void describe_message(output& out) {
-    using facts = about<F, M>;
-    out.write(std::string{F::name} + " " + std::string{M::name} + (facts::kind().empty() ? "" : " " + facts::kind()) + ": " + facts::identity() + ", " + facts::size() +
-              " [" + std::string{M::section} + "]\n");
+void print_portrait(output& out, const portrait& p) {
+    std::string title{p.format};
+    title.append(" ").append(p.name).append(kind(p).empty() ? "" : " ").append(kind(p)).append(": ");
+    out.write(title.append(identity(p)).append(", ").append(size(p)).append(" [").append(p.section).append("]\n"));
     std::vector<cells> rows{{"offset", "size", "name", "type", "range", "meaning"}};
-    if constexpr (facts::is_daisy) {
+    if (p.protocol == protocol::daisy) {
         rows.push_back({"0", "1", "LEN", "u8", "4..255", "bytes that follow"});
         rows.push_back({"1", "1", "DESTINATION", "u8", "", "address of the receiver"});
         rows.push_back({"2", "1", "SOURCE", "u8", "id 0..14", "address of the sender"});
-        rows.push_back({"3", "1", "COMMAND", "u8", in_hex(daisy::command_of(M::key)), ""});
-    } else if constexpr (!facts::is_can) {
+        rows.push_back({"3", "1", "COMMAND", "u8", in_hex(p.identity), ""});
+    } else if (p.protocol == protocol::gateway) {
         rows.push_back({"0", "1", "STX", "u8", "0x02", ""});
-        rows.push_back({"1", "3", "type", "decimal", std::to_string(static_cast<unsigned>(M::key)), ""});
+        rows.push_back({"1", "3", "type", "decimal", std::to_string(p.identity), ""});
     }
-    bool shifted = false;  // a field of varying size precedes: offsets count from the packet's end
-    for_each_row<M>([&](const layout_row& row) {
-        const std::string name = row.parent.empty() ? std::string{row.name} : "  ." + std::string{row.name};
-        const std::string many = row.count > 1 && row.parent.empty() ? std::string{"["}.append(std::to_string(row.count)).append("]") : std::string{};
-        const std::string each = row.count > 1 && !row.parent.empty() ? std::string{" +"}.append(std::to_string(row.stride)).append("i") : std::string{};
-        const bool varies = row.size == 0;
-        rows.push_back({shifted ? "last" : std::to_string(facts::first_field + row.offset) + each, varies ? "the rest" : std::to_string(row.size) + (many.empty() ? "" : " each"),
-                        name + many, std::string{row.type}, range_of(row), std::string{row.meaning}});
-        if (row.constant != '\0') rows.push_back({std::to_string(facts::first_field + row.offset + row.size), "1", "letter", "u8", std::string(1, row.constant), ""});
+    bool shifted = false;  // a field of varying size precedes
+    for (const layout_row& row : p.fields) {
+        const bool inner = !row.parent.empty(), many = row.count > 1, varies = row.size == 0;
+        std::string offset = shifted ? "last" : std::to_string(p.first_field() + row.offset);
+        if (many && inner) offset.append(" +").append(std::to_string(row.stride)).append("i");
+        std::string name = inner ? "  ." : "";
+        name += row.name;
+        if (many && !inner) name.append("[").append(std::to_string(row.count)).append("]");
+        const std::string each = varies ? "the rest" : std::to_string(row.size) + (many && !inner ? " each" : "");
+        rows.push_back({offset, each, name, std::string{row.type}, range_of(row), std::string{row.meaning}});
+        if (row.constant != '\0') rows.push_back({std::to_string(p.first_field() + row.offset + row.size), "1", "letter", "u8", std::string(1, row.constant), ""});
         shifted = shifted || (varies && row.optional);
-    });
-    if constexpr (facts::is_daisy) rows.push_back({"LEN", "1", "CRC", "u8", "", "exclusive or of all bytes before it"});
-    else if constexpr (!facts::is_can) rows.push_back({std::to_string(facts::first_field + M::layout.size), "1", "ETX", "u8", "0x03", ""});
-    print_table(out, rows);
-}
-
-template <class F>
-void list_messages(output& out) {
-    std::vector<cells> rows;
-    F::messages::each([&]<class M>() { rows.push_back({std::string{M::name}, about<F, M>::kind(), about<F, M>::identity(), about<F, M>::size()}); });
-    out.write(std::string{F::name} + "\n");
-    print_table(out, rows);
-}
-
-template <class F>
-int describe_format(output& out, std::span<char*> names) {
-    if (names.empty()) {
-        list_messages<F>(out);
-        return all_well;
     }
+    if (p.protocol == protocol::daisy) rows.push_back({"LEN", "1", "CRC", "u8", "", "exclusive or of all bytes before it"});
+    else if (p.protocol == protocol::gateway) rows.push_back({std::to_string(p.first_field() + p.size), "1", "ETX", "u8", "0x03", ""});
+    print_table(out, rows);
+}
+
+template <class F>
+std::vector<portrait> portraits() {
+    std::vector<portrait> all;
+    F::messages::each([&]<class M>() { all.push_back(draw<F, M>()); });
+    return all;
+}
+
+void list_messages(output& out, const std::vector<portrait>& all) {
+    std::vector<cells> rows;
+    for (const portrait& p : all) rows.push_back({std::string{p.name}, kind(p), identity(p), size(p)});
+    out.write(std::string{all.front().format} + "\n");
+    print_table(out, rows);
+}
+
+std::vector<portrait> portraits(protocol p) {
+    if (p == protocol::daisy) return portraits<daisy::format>();
+    if (p == protocol::can) return portraits<can::format>();
+    return portraits<gateway::format>();
+}
+
+int describe_message(output& out, const std::vector<portrait>& all, std::string_view name) {
     bool found = false;
-    F::messages::each([&]<class M>() {
-        if (M::name != std::string_view{names[0]}) return;
+    for (const portrait& p : all) {
+        if (p.name != name) continue;
         if (found) out.write("\n");
         found = true;
-        describe_message<F, M>(out);
-    });
+        print_portrait(out, p);
+    }
     if (found) return all_well;
-    complain("describe: ", F::name, " has no message ", names[0], "; see trama describe ", F::name);
+    complain("describe: ", all.front().format, " has no message ", name, "; see trama describe ", all.front().format);
     return failed;
 }
 
@@ -144,18 +176,19 @@ int describe(std::span<char*> arguments) {
         complain("describe: too many arguments (see trama --help)");
         return failed;
     }
-    int status = all_well;
     if (arguments.empty()) {
-        list_messages<daisy::format>(out);
-        list_messages<can::format>(out);
-        list_messages<gateway::format>(out);
-    } else if (const auto p = parse_protocol(arguments[0])) {
-        const auto names = arguments.subspan(1);
-        status = *p == protocol::daisy ? describe_format<daisy::format>(out, names) : *p == protocol::can ? describe_format<can::format>(out, names) : describe_format<gateway::format>(out, names);
-    } else {
-        complain("describe: unknown protocol ", arguments[0], " (see trama --help)");
-        status = failed;
+        for (const protocol p : {protocol::daisy, protocol::can, protocol::gateway}) list_messages(out, portraits(p));
+        out.flush();
+        return all_well;
     }
+    const auto p = parse_protocol(arguments[0]);
+    if (!p) {
+        complain("describe: unknown protocol ", arguments[0], " (see trama --help)");
+        return failed;
+    }
+    int status = all_well;
+    if (arguments.size() == 1) list_messages(out, portraits(*p));
+    else status = describe_message(out, portraits(*p), arguments[1]);
     out.flush();
     return status;
 }

@@ -76,7 +76,7 @@ private:
         return found ? good : fail("message: there is no " + name->text + (is_daisy ? response_ ? " with kind response" : " with kind request" : ""));
     }
     template <class M>
-    bool encode_as() {
+    [[gnu::noinline]] bool encode_as() {
         M m{};
         message_reader reader;
         const json_value* values = line_.find("fields");
@@ -90,21 +90,21 @@ private:
     /// The violation that an encoder refused, in words.
     template <class M>
     std::string explain(const M& m, error refused) const {
+        violation told{};
+        const auto find = [&](const violation& v) { if (told.allowed == nullptr && v.field == refused.field) told = v; };
+        F::for_each_violation(envelope_, m, find);
+        for_each_violation(m, find);
         std::array<char, 1024> memory;
         text_sink out(memory);
-        bool told = false;
-        const auto tell = [&](const violation& v) {
-            if (told || v.field != refused.field) return;
-            told = true;
-            print_where<M>(out, v.field);
-            out << ": " << v.value << " is not allowed (";
-            out.allowed(*v.allowed) << ')';
-        };
-        F::for_each_violation(envelope_, m, tell);
-        for_each_violation(m, tell);
-        if (!told) {
-            print_where<M>(out, refused.field);
-            if constexpr (is_daisy) out << ": " << envelope_.destination.octet << " is no address of the family that defines the message";
+        print_where<M>(out, refused.field);
+        return explain(out, told);
+    }
+    std::string explain(text_sink& out, const violation& told) const {
+        if (told.allowed != nullptr) {
+            out << ": " << told.value << " is not allowed (";
+            out.allowed(*told.allowed) << ')';
+        } else if constexpr (is_daisy) {
+            out << ": " << envelope_.destination.octet << " is no address of the family that defines the message";
         }
         return std::string{out.view()};
     }

@@ -1,5 +1,6 @@
 #include "tool/from_json.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace trama::tool {
@@ -24,6 +25,62 @@ std::optional<std::int64_t> number_in_tenths(const json_value& v) {
         shifted.text.erase(point, 1);
     }
     return whole_number(shifted);
+}
+
+bool message_reader::fail(std::string_view what) {
+    error_ = path_;
+    if (!path_.empty()) error_ += ": ";
+    error_ += what;
+    return false;
+}
+
+bool message_reader::fail_count(std::string_view how, std::size_t needed, std::size_t given) {
+    return fail(std::string{how} + std::to_string(needed) + " values are needed, not " + std::to_string(given));
+}
+
+std::size_t message_reader::enter(std::string_view name) {
+    const std::size_t before = path_.size();
+    if (!path_.empty()) path_ += '.';
+    path_ += name;
+    return before;
+}
+
+std::size_t message_reader::enter(std::size_t index) {
+    const std::size_t before = path_.size();
+    path_.append("[").append(std::to_string(index)).append("]");
+    return before;
+}
+
+bool message_reader::read_number(const json_value& v, wire::print printed, std::int64_t low, std::int64_t high, std::int64_t& out) {
+    const bool tenths = printed == wire::print::tenths;
+    const auto n = tenths ? number_in_tenths(v) : whole_number(v);
+    if (!n) return fail(tenths ? "a number with at most one decimal is needed" : "a whole number is needed");
+    if (*n < low || *n > high) return fail((tenths ? v.text : std::to_string(*n)) + " is not allowed (" + std::to_string(low) + ".." + (tenths ? "999.9" : std::to_string(high)) + ")");
+    out = *n;
+    return true;
+}
+
+bool message_reader::read_name(const json_value& v, std::span<const std::string_view> names, std::size_t& out) {
+    if (v.type != json_value::kind::string) return fail("a name or a number is needed");
+    for (out = 0; out != names.size(); ++out)
+        if (v.text == names[out]) return true;
+    return fail("there is no value called " + v.text);
+}
+
+bool message_reader::check_text(const json_value& v, std::size_t columns) {
+    if (v.type != json_value::kind::string) return fail("a string is needed");
+    if (v.text.size() > columns) return fail("at most " + std::to_string(columns) + " characters fit");
+    const bool printable = std::all_of(v.text.begin(), v.text.end(), [](char c) { return c >= 0x20 && c <= 0x7E; });
+    return (printable && !v.wide) || fail("only printable ASCII is possible");
+}
+
+bool message_reader::read_bytes(const json_value& v, wire::print printed, byte_view& out) {
+    if (v.type != json_value::kind::string) return fail("a string is needed");
+    if (v.wide) return fail("a character does not fit a byte");
+    std::vector<std::uint8_t>& kept = bytes_.emplace_back(v.text.begin(), v.text.end());
+    if (printed == wire::print::hex && !from_hex(kept)) return fail("pairs of hex digits are needed");
+    out = byte_view(std::span<const std::uint8_t>{kept});
+    return true;
 }
 
 bool message_reader::from_hex(std::vector<std::uint8_t>& text) {

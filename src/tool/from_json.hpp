@@ -46,16 +46,10 @@ public:
     }
 
 private:
-    bool fail(std::string_view what) {
-        error_ = path_.empty() ? std::string{what} : path_ + ": " + std::string{what};
-        return false;
-    }
-    std::size_t enter(std::string_view name) {
-        const std::size_t before = path_.size();
-        if (!path_.empty()) path_ += '.';
-        path_ += name;
-        return before;
-    }
+    bool fail(std::string_view what);
+    bool fail_count(std::string_view how, std::size_t needed, std::size_t given);
+    std::size_t enter(std::string_view name);
+    std::size_t enter(std::size_t index);
     void leave(std::size_t before, bool good) { if (good) path_.resize(before); }
 
     template <class W, class V>
@@ -68,12 +62,17 @@ private:
         else if constexpr (requires { out.columns; }) return store_text(v, out);
         else return store_bytes<W>(v, out);
     }
+    /// A number that the wire type can carry.
+    bool read_number(const json_value& v, wire::print printed, std::int64_t low, std::int64_t high, std::int64_t& out);
+    /// The position of a name in `names`; a number is left for `read_number`.
+    bool read_name(const json_value& v, std::span<const std::string_view> names, std::size_t& out);
+
     template <class W, class V>
     bool store_number(const json_value& v, V& out) {
-        const auto n = W::printed == wire::print::tenths ? number_in_tenths(v) : whole_number(v);
-        if (!n) return fail(W::printed == wire::print::tenths ? "a number with at most one decimal is needed" : "a whole number is needed");
-        if (!std::in_range<V>(*n) || !W::carries(*n)) return fail(std::to_string(*n) + " is not allowed (" + std::to_string(W::low) + ".." + std::to_string(W::high) + ")");
-        out = static_cast<V>(*n);
+        static_assert(std::in_range<V>(W::high) && std::in_range<V>(W::low));
+        std::int64_t n = 0;
+        if (!read_number(v, W::printed, W::low, W::high, n)) return false;
+        out = static_cast<V>(n);
         return true;
     }
     template <class W, class V>
@@ -84,12 +83,10 @@ private:
             out = static_cast<V>(n);
             return true;
         }
-        for (const auto& one : names(V{}))
-            if (v.type == json_value::kind::string && v.text == one.name) {
-                out = one.value;
-                return true;
-            }
-        return fail(v.type == json_value::kind::string ? "there is no value called " + v.text : "a name or a number is needed");
+        std::size_t position = 0;
+        if (!read_name(v, name_list<V>, position)) return false;
+        out = names(V{})[position].value;
+        return true;
     }
     template <class W, class V>
     bool store_flags(const json_value& v, V& out) {
@@ -110,13 +107,12 @@ private:
         if constexpr (wire::variable<W>) {
             out = {};
             for (std::size_t i = 0; i != v.items.size(); ++i)
-                if (!out.push_back({})) return fail("at most " + std::to_string(W::max_count) + " values are possible");
+                if (!out.push_back({})) return fail_count("at most ", W::max_count, v.items.size());
         } else if (v.items.size() != out.size()) {
-            return fail(std::to_string(out.size()) + " values are needed, not " + std::to_string(v.items.size()));
+            return fail_count("", out.size(), v.items.size());
         }
         for (std::size_t i = 0; i != v.items.size(); ++i) {
-            const std::size_t before = path_.size();
-            path_ += '[' + std::to_string(i) + ']';
+            const std::size_t before = enter(i);
             const bool good = store<typename W::element>(v.items[i], out[i]);
             leave(before, good);
             if (!good) return false;
@@ -125,20 +121,14 @@ private:
     }
     template <std::size_t Columns>
     bool store_text(const json_value& v, text<Columns>& out) {
-        if (v.type != json_value::kind::string) return fail("a string is needed");
-        if (v.text.size() > Columns) return fail("at most " + std::to_string(Columns) + " characters fit");
+        if (!check_text(v, Columns)) return false;
         out = text<Columns>(std::string_view{v.text});
-        return (!v.wide && out.printable()) || fail("only printable ASCII is possible");
-    }
-    template <class W>
-    bool store_bytes(const json_value& v, byte_view& out) {
-        if (v.type != json_value::kind::string) return fail("a string is needed");
-        if (v.wide) return fail("a character does not fit a byte");
-        std::vector<std::uint8_t>& kept = bytes_.emplace_back(v.text.begin(), v.text.end());
-        if (W::printed == wire::print::hex && !from_hex(kept)) return fail("pairs of hex digits are needed");
-        out = byte_view(std::span<const std::uint8_t>{kept});
         return true;
     }
+    bool check_text(const json_value& v, std::size_t columns);
+    template <class W>
+    bool store_bytes(const json_value& v, byte_view& out) { return read_bytes(v, W::printed, out); }
+    bool read_bytes(const json_value& v, wire::print printed, byte_view& out);
     static bool from_hex(std::vector<std::uint8_t>& text);
 
     std::string path_, error_;

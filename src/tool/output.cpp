@@ -37,10 +37,7 @@ void output::write(std::string_view text) {
 }
 
 void output::write(std::span<const unsigned char> bytes) {
-    for (const unsigned char b : bytes) {
-        const char c = static_cast<char>(b);
-        write(std::string_view{&c, 1});
-    }
+    write(std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 void output::flush() {

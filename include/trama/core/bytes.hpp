@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -49,21 +50,31 @@ constexpr std::uint8_t fold_xor(std::uint64_t word) noexcept {
 
 /// Exclusive or of all `bytes`.
 constexpr std::uint8_t xor_of(std::span<const std::uint8_t> bytes) noexcept {
-    std::uint64_t word = 0;
     const std::uint8_t* p = bytes.data();
     std::size_t n = bytes.size();
+    if (n < 8) {
+        std::uint8_t x = 0;
+        for (; n != 0; --n, ++p) x ^= *p;
+        return x;
+    }
+    std::uint64_t word = 0;
     for (; n >= 8; n -= 8, p += 8) word ^= load_le<std::uint64_t>(p);
-    std::uint8_t x = fold_xor(word);
-    for (; n != 0; --n, ++p) x ^= *p;
-    return x;
+    // The last bytes are the top ones of a word that overlaps the one before it.
+    if (n != 0) word ^= load_le<std::uint64_t>(p + n - 8) >> (64 - 8 * n);
+    return fold_xor(word);
 }
 
-/// Exclusive or of the first `n` bytes, 5..16, of 16 readable ones, without a branch on each byte.
-constexpr std::uint8_t xor_of_short(const std::uint8_t* p, std::size_t n) noexcept {
-    const auto low = load_le<std::uint64_t>(p);
-    const auto high = load_le<std::uint64_t>(p + 8);
-    const std::uint64_t word = n <= 8 ? low << (64 - 8 * n) : low ^ high << (128 - 8 * n);
-    return fold_xor(word);
+/// Words that keep the first n of 16 bytes, n = 0..16.
+inline constexpr auto first_bytes = [] {
+    std::array<std::array<std::uint64_t, 2>, 17> masks{};
+    for (std::size_t n = 0; n != masks.size(); ++n)
+        for (std::size_t i = 0; i != n; ++i) masks[n][i / 8] |= std::uint64_t{0xFF} << (8 * (i % 8));
+    return masks;
+}();
+
+/// Exclusive or of the first `n` bytes, up to 16, of 16 readable ones, of which `low` are the first 8.
+constexpr std::uint8_t xor_of_short(std::uint64_t low, const std::uint8_t* p, std::size_t n) noexcept {
+    return fold_xor((low & first_bytes[n][0]) ^ (load_le<std::uint64_t>(p + 8) & first_bytes[n][1]));
 }
 
 }  // namespace trama

@@ -60,7 +60,7 @@ constexpr std::uint64_t load_fields(const std::uint8_t* p, M& m) noexcept {
 /// Writes the fields of a fixed layout.
 template <has_layout M>
 constexpr void store_fields(std::uint8_t* p, const M& m) noexcept {
-    each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {
+    each_index_inline<M>([&]<std::size_t I>() __attribute__((always_inline)) {
         store_value<typename decltype(field_of<M, I>)::wire_type>(p + M::layout.offsets[I], m.*field_of<M, I>.member);
     });
 }

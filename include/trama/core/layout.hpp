@@ -93,7 +93,12 @@ concept has_layout = requires { T::layout.max_size; };
 
 /// Calls `f.operator()<I>()` for the position of every field, in wire order.
 template <has_layout M>
-[[gnu::always_inline]] constexpr void each_index(auto&& f) {
+constexpr void each_index(auto&& f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f.template operator()<I>(), ...); }(std::make_index_sequence<M::layout.count>{});
+}
+/// The same for hot paths. Printing must not use it: inlining everything there costs half a minute of compile time.
+template <has_layout M>
+[[gnu::always_inline]] constexpr void each_index_inline(auto&& f) {
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) { (f.template operator()<I>(), ...); }(std::make_index_sequence<M::layout.count>{});
 }
 

@@ -59,7 +59,7 @@ template <class W, class V>
             each_leaf_of<typename W::element>(v[i], own, at, f);
         }
     } else if constexpr (has_layout<V>) {
-        each_index<V>([&]<std::size_t I>() __attribute__((always_inline)) {
+        each_index_inline<V>([&]<std::size_t I>() __attribute__((always_inline)) {
             constexpr auto& one = field_of<V, I>;
             at.sub = static_cast<std::uint8_t>(I);
             f.template operator()<typename std::remove_cvref_t<decltype(one)>::wire_type>(at, v.*one.member, one.allowed);
@@ -72,7 +72,7 @@ template <class W, class V>
 /// Calls `f.operator()<W>(ref, value, rule)` for every value of `m` that exists, nested ones included, in wire order.
 template <has_layout M>
 [[gnu::always_inline]] constexpr void each_leaf(const M& m, auto&& f) {
-    each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {
+    each_index_inline<M>([&]<std::size_t I>() __attribute__((always_inline)) {
         constexpr auto& one = field_of<M, I>;
         if (!one.exists(m)) return;
         each_leaf_of<typename std::remove_cvref_t<decltype(one)>::wire_type>(m.*one.member, one.allowed, field_ref{static_cast<std::uint8_t>(I)}, f);
