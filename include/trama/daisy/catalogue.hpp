@@ -17,6 +17,11 @@ struct catalogue {
     std::array<std::uint8_t, 8 * 64> index{};
     std::array<std::uint16_t, unknown + 1> fixed_len{};  ///< LARGO of a fixed message, `variable` of the others.
     std::array<daisy::key, unknown + 1> keys{};
+    /// Row of `quick`, times 256, by the groups of a header and its response bit, as `pair_of` picks them out.
+    std::array<std::uint16_t, 0xF20> rows{};
+    /// By row and command: LARGO of a fixed message, or `variable`, times 128, and the message's index. A row is a group,
+    /// or 7 where the groups are not documented.
+    std::array<std::uint16_t, 8 * 256> quick{};
 
     consteval catalogue() {
         for (auto& i : index) i = unknown;
@@ -29,7 +34,21 @@ struct catalogue {
                 if (family_of(M::key) == family::common || family_of(M::key) == family_of(group)) index[slot(group, command_of(M::key))] = static_cast<std::uint8_t>(at);
             ++at;
         });
+        static_assert(unknown < 128);
+        for (unsigned row = 0; row != 8; ++row)
+            for (unsigned command = 0; command != 256; ++command) {
+                const unsigned found = (command & 0x30) == 0 && row != 7 ? index[slot(row, command)] : unknown;
+                quick[row << 8 | command] = static_cast<std::uint16_t>(fixed_len[found] << 7 | found);
+            }
+        for (auto& row : rows) row = 7 << 8;
+        for (unsigned destination = 0; destination != 7; ++destination)
+            for (unsigned source = 0; source != 7; ++source) {
+                rows[source << 8 | destination] = static_cast<std::uint16_t>((destination != 0 ? destination : source) << 8);
+                rows[source << 8 | 0x10 | destination] = static_cast<std::uint16_t>((source != 0 ? source : destination) << 8);
+            }
     }
+    /// Place in `rows` of a header whose four bytes are `head`, first one lowest.
+    static constexpr std::size_t pair_of(std::uint32_t head) noexcept { return (head >> 12 & 0xF0F) | (head >> 27 & 0x10); }
     /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
     static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
 };

@@ -22,19 +22,17 @@ class decoder {
 public:
     /// Takes bytes from the front of `in` and reports one packet or error, or `need_more` with `in` empty.
     /// A packet lying whole in `in` is viewed in place, one that straddles chunks in the decoder's own memory.
-    constexpr event next(std::span<const std::uint8_t>& in) noexcept {
-        constexpr std::size_t readable = 16;
-        static_assert(*std::max_element(known.fixed_len.begin(), known.fixed_len.end(), [](auto a, auto b) { return a % variable < b % variable; }) < readable);
-        if (steady_ && in.size() >= readable) [[likely]] {
-            const auto head = load_le<std::uint32_t>(in.data());
-            const unsigned len = head & 0xFF, destination = head >> 8 & 0xFF, source = head >> 16 & 0xFF;
-            const std::size_t index = index_of(destination, source, head >> 24);
-            const bool good = known.fixed_len[index] == len && documented_addresses(destination, source, head >> 24);
-            if (good && in.size() > len && xor_of_short(in.data(), len + 1) == 0) [[likely]] {
-                const auto whole = in.first(len + 1);
-                in = in.subspan(len + 1);
-                phase_.confirm();
-                return deliver(whole, index);
+    [[gnu::always_inline]] constexpr event next(std::span<const std::uint8_t>& in) noexcept {
+        if (in.size() >= quick_from_) [[likely]] {
+            const auto low = load_le<std::uint64_t>(in.data());
+            const auto head = static_cast<std::uint32_t>(low);
+            const unsigned found = known.quick[known.rows[catalogue::pair_of(head)] + (head >> 24)];
+            const std::size_t size = (head & 0xFF) + 1;
+            const bool fixed = found >> 7 == (head & 0xFF);
+            if (fixed ? xor_of_short(low, in.data(), size) == 0 : is_variable_landmark(in, found)) [[likely]] {
+                const auto whole = in.first(size);
+                in = in.subspan(size);
+                return deliver(whole, found & 0x7F);
             }
         }
         auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
@@ -45,7 +43,7 @@ public:
 
     /// The line fell silent: a partial packet is `truncated`, the next byte is a packet's first. Call `next` until it
     /// needs more, with an empty span or the bytes that follow.
-    constexpr void idle() noexcept { draining_ = true; steady_ = false; }
+    constexpr void idle() noexcept { draining_ = true; quick_from_ = never_quick; }
     /// The input ends here. As `idle`.
     constexpr void finish() noexcept { idle(); }
     /// As a new decoder, hunting at offset 0; only the counters stay.
@@ -68,17 +66,28 @@ private:
 
     constexpr event deliver(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
         event e{};
-        e.code = index == unknown ? errc::unknown_message : errc::ok;
+        e.code = errc::ok;
         e.packet = packet(whole, index);
         e.offset = offset_;
         e.length = whole.size();
-        if (index == unknown) {
-            e.bytes = whole;
-            ++counters_.errors[static_cast<std::size_t>(errc::unknown_message)];
-        } else {
-            ++counters_.packets;
-        }
+        ++counters_.packets;
         offset_ += whole.size();
+        return e;
+    }
+
+    /// True when the packet at the front of `in`, which `catalogue::quick` knows as `found`, is a whole landmark of variable length.
+    [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in, unsigned found) noexcept {
+        const std::size_t index = found & 0x7F, size = std::size_t{in[0]} + 1;
+        if (found >> 7 != variable || index == unknown || size < min_packet || size > in.size()) return false;
+        return body_fits(index, size - min_packet, &in[header_size]) && xor_of(in.first(size)) == 0 && is_landmark(in.first(size), index);
+    }
+
+    constexpr event deliver_unknown(std::span<const std::uint8_t> whole) noexcept {
+        event e = deliver(whole, unknown);
+        e.code = errc::unknown_message;
+        e.bytes = whole;
+        --counters_.packets;
+        ++counters_.errors[static_cast<std::size_t>(errc::unknown_message)];
         return e;
     }
 
@@ -96,7 +105,11 @@ private:
     constexpr void keep(std::size_t n, bytes_in& in) noexcept;
     constexpr void skip(std::size_t n, bytes_in& in) noexcept;
 
-    bool steady_ = false;    ///< In step, with nothing kept or announced: the fast path may try.
+    static constexpr std::size_t readable = 16, never_quick = std::numeric_limits<std::size_t>::max();
+    static_assert(std::all_of(known.fixed_len.begin(), known.fixed_len.end(), [](auto len) { return len < readable || len == variable; }));
+
+    /// How many bytes the quick path needs: `readable` while in step and at full trust, with nothing kept or announced.
+    std::size_t quick_from_ = never_quick;
     bool hunting_ = true;
     bool draining_ = false;  ///< The input ended: what is kept is all there is.
     bool certain_ = false;   ///< The hunt has accepted the packet at the front.

@@ -13,13 +13,14 @@ constexpr event nothing() noexcept { event e{}; e.code = errc::ok; return e; }
 constexpr event decoder::slow_next(bytes_in& in) noexcept {
     begin_ += release_;
     release_ = 0;
-    steady_ = false;
+    quick_from_ = never_quick;
     for (;;) {
         bytes_in none{};
         auto& source = draining_ ? none : in;
         const event e = hunting_ ? hunt(source) : step(source);
         if (e.code != errc::ok || e.length != 0) {
-            steady_ = !hunting_ && !draining_ && !certain_ && held() == 0 && !phase_.watching();
+            const bool steady = !hunting_ && !draining_ && !certain_ && held() == 0 && phase_.settled();
+            quick_from_ = steady ? readable : never_quick;
             return e;
         }
     }
@@ -45,7 +46,7 @@ constexpr event decoder::step(bytes_in& in) noexcept {
     }
     if (held() != 0) release_ = size;
     else in = in.subspan(size);
-    return deliver(whole, index);
+    return index == unknown ? deliver_unknown(whole) : deliver(whole, index);
 }
 
 /// The packet at the front in one piece. Moves bytes of `in` to the stash if it begins there.

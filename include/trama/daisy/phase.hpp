@@ -16,6 +16,8 @@ public:
     constexpr void reset() noexcept { *this = {}; }
     /// True while the shadow reads along; the decoder must then show every packet to `accepts`.
     constexpr bool watching() const noexcept { return watching_; }
+    /// True when another landmark changes nothing.
+    constexpr bool settled() const noexcept { return !watching_ && trust_ == most_trust; }
     /// A landmark was accepted while the shadow was not reading.
     constexpr void confirm() noexcept { trust_ = static_cast<std::uint8_t>(trust_ + (trust_ < most_trust ? 1 : 0)); }
 
