@@ -4,7 +4,7 @@
 
 namespace trama::fuzz {
 
-/// Both say the same about the stream, with and without silences, and both encode every message line alike.
+/// Both say the same about the stream, with and without silences, and both encode two of the lines alike.
 template <wire_format F>
 int differential(std::span<const std::uint8_t> input) {
     dice d(hash_of(input));
@@ -26,7 +26,7 @@ int differential(std::span<const std::uint8_t> input) {
         lines = library_lines<F>(input);
         require_same(lines, trama_reference::gateway_lines(input), "library and reference say the same about a stream");
     }
-    for (const std::string& line : lines) check_encoders<F>(line);
+    for (int turn = 0; turn != 2 && !lines.empty(); ++turn) check_encoders<F>(lines[d.below(lines.size())]);
     return 0;
 }
 

@@ -24,6 +24,8 @@ extern "C" [[gnu::weak]] std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_
                                                                std::size_t b_size, std::uint8_t* out, std::size_t max_size, unsigned seed);
 /// Prints what an input puts on the wire, in the form that `trama decode` reads; the harness defines it.
 extern "C" [[gnu::weak]] void trama_fuzz_print_wire(const std::uint8_t* data, std::size_t size);
+/// Prints which messages the inputs have reached; the harness defines it.
+extern "C" [[gnu::weak]] void trama_fuzz_census();
 extern "C" [[gnu::weak]] void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {
@@ -37,6 +39,7 @@ struct options {
     std::size_t max_len = 4096;
     unsigned seed = 1;
     bool print_wire = false;
+    bool census = false;
 };
 
 // What the signal handlers may look at: set before every run.
@@ -105,6 +108,7 @@ options parse(int argc, char** argv) {
         const std::string_view a = argv[i];
         constexpr std::string_view prefix = "-artifact_prefix=";
         if (a == "--wire") o.print_wire = true;
+        else if (a == "--census") o.census = true;
         else if (a.starts_with(prefix)) o.failing_input = std::string(a.substr(prefix.size())) + "crash-input";
         else if (take_number(a, "-runs=", o.runs) || take_number(a, "-seed=", o.seed) || take_number(a, "-max_len=", o.max_len)) continue;
         else if (a.size() > 1 && a[0] == '-') std::fprintf(stderr, "%s: a flag of libFuzzer, ignored here\n", argv[i]);
@@ -196,6 +200,7 @@ int main(int argc, char** argv) {
     }
     std::minstd_rand rng(o.seed);
     for (std::size_t i = 0; i != o.runs; ++i) run(next_input(corpus, o.max_len, rng), "a mutated input", true);
+    if (o.census && trama_fuzz_census != nullptr) trama_fuzz_census();
     if (!o.print_wire) std::fprintf(stderr, "%zu inputs replayed, %zu mutated ones tried\n", corpus.size(), o.runs);
     return 0;
 }

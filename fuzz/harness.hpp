@@ -2,6 +2,7 @@
 // The properties that fuzzing tries to break, written once for every wire format. A target is five lines; see fuzz/targets/.
 #include <cstring>
 
+#include "census.hpp"
 #include "random_message.hpp"
 #include "trama/core/print.hpp"
 #include "transcript.hpp"
@@ -58,6 +59,7 @@ int decode_one(std::span<const std::uint8_t> input) {
             return;
         }
         require(body_size(m) == bytes.size(), "a message takes as many octets as it was read from");
+        census<F>::note(choice % F::messages::count);
         check_validation(m);
         check_printing(m);
         if (!fits_wire(m)) return;
@@ -75,6 +77,7 @@ int stream(std::span<const std::uint8_t> input) {
     using unit = typename F::unit;
     const auto units = traits<F>::units_from(input);
     const auto whole = transcript<F>(std::span<const unit>(units));
+    for (const record& r : whole) census<F>::note(r);
     require(whole == transcript<F>(std::span<const unit>(units), [] { return 1; }), "one unit at a time says the same as all at once");
     dice d(hash_of(input));
     require(whole == transcript<F>(std::span<const unit>(units), [&] { return d.below(7); }), "chunks of 0..6 units say the same as all at once");
