@@ -48,7 +48,8 @@ class reassembly {
 
   // All of them end at the same moment: in the order of their first frames.
   void end() {
-    give_up("truncated", [](const partial&) { return true; }, [](const partial& a, const partial& b) { return a.line < b.line; });
+    give_up("truncated", [](const partial&) { return true; },
+            [](const partial& a, const partial& b) { return a.line < b.line; });
   }
 
  private:

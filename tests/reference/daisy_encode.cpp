@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <bit>
 
 #include "daisy_table.hpp"
@@ -173,15 +172,15 @@ octets encode(std::string_view text, bool unchecked) {
   const json_value* fields = line.find("fields");
   const octets data = data_writer(fields == nullptr ? none : *fields, unchecked).write(*message);
 
-  octets packet(data.size() + 5);
-  packet[0] = static_cast<std::uint8_t>(data.size() + 4);
-  packet[1] = destination;
-  packet[2] = source;
-  packet[3] = message->command;
-  std::copy(data.begin(), data.end(), packet.begin() + 4);
+  octets packet;
+  packet.push_back(static_cast<std::uint8_t>(data.size() + 4));
+  packet.push_back(destination);
+  packet.push_back(source);
+  packet.push_back(message->command);
+  for (const std::uint8_t byte : data) packet.push_back(byte);
   std::uint8_t crc = 0;
   for (const std::uint8_t byte : packet) crc = static_cast<std::uint8_t>(crc ^ byte);
-  packet.back() = crc;
+  packet.push_back(crc);
   return packet;
 }
 

@@ -156,7 +156,9 @@ std::string whole_record(std::size_t offset, bytes_view record) {
   if (payload.size() < 3) return error_line(offset, record, "bad_length");
   const std::string type_field = payload.substr(0, 3);
   const std::optional<long long> type = read_number(type_field);
-  if (type_field == "   " || !type) return error_line(offset, record, "bad_number", next_member("field", quoted("type")));
+  if (type_field == "   " || !type) {
+    return error_line(offset, record, "bad_number", next_member("field", quoted("type")));
+  }
 
   const auto& all = gateway_messages();
   const auto message = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.type == *type; });
@@ -171,7 +173,8 @@ std::string whole_record(std::size_t offset, bytes_view record) {
   if (!printer.bad_number().empty()) {
     return error_line(offset, record, "bad_number", next_member("field", quoted(printer.bad_number())));
   }
-  return concat({line_head(offset, record.size()), next_member("message", quoted(message->name)), printer.text(), "}"});
+  const std::string name = next_member("message", quoted(message->name));
+  return concat({line_head(offset, record.size()), name, printer.text(), "}"});
 }
 
 // The record whose STX is at `start`: its one line, and one past its end.
