@@ -37,8 +37,7 @@ int encode_lines(const options& o, input& in) {
     const auto take = [&](std::string_view line, bool too_long) {
         if (line.find_first_not_of(" \t\r") == line.npos) return;
         const encoded<F> packet = too_long ? encoded<F>{{}, "the line is too long"} : encode_line<F>(line, o.unchecked);
-        write_units<F>(out, packet.units, o.hex);
-        if (packet.error.empty()) return;
+        if (packet.error.empty()) return write_units<F>(out, packet.units, o.hex);
         complain("encode: line ", std::to_string(lines.number()), ": ", packet.error);
         status = input_at_fault;
     };
