@@ -30,7 +30,7 @@ bool parse_id(std::string_view digits, can::frame& f) noexcept {
     }
     f.extended = digits.size() == 8;
     f.error = f.extended && (f.id & error_flag) != 0;
-    return true;
+    return f.extended || f.id < 0x800;
 }
 
 /// Pairs of hex digits, with or without dots between them; at most `most` bytes, of which the first 8 are kept.
@@ -91,7 +91,7 @@ std::optional<can::frame> parse_candump(std::string_view line) noexcept {
     while (!line.empty() && is_space(line.front())) line.remove_prefix(1);
     const bool known_direction = direction.empty() || direction == "R" || direction == "T";
     if (!line.empty() || interface.empty() || !known_direction) return std::nullopt;
-    if (stamp.size() < 3 || stamp.front() != '(' || stamp.back() != ')') return std::nullopt;
+    if (stamp.size() < 3 || stamp.front() != '(' || stamp.back() != ')' || stamp.find('.') == stamp.npos) return std::nullopt;
     const auto time = parse_seconds(stamp.substr(1, stamp.size() - 2));
     const std::size_t hash = content.find('#');
     can::frame f{};

@@ -31,7 +31,7 @@ private:
         if (line_.type != json_value::kind::object) return fail("a JSON object is needed");
         if (const json_value* e = line_.find("error")) return fail("skipped, it reports an error: " + e->text);
         for (const auto& [name, value] : line_.members) {
-            const bool place = is_can ? name == "line" || name == "frames" : name == "offset" || name == "length";
+            const bool place = name == "offset" || name == "length" || name == "line" || name == "frames";
             const bool address = is_can ? name == "id" : is_daisy && (name == "destination" || name == "source" || name == "kind");
             if (!place && !address && name != "protocol" && name != "message" && name != "fields" && name != "violations") return fail(name + ": there is no such field");
         }

@@ -42,10 +42,22 @@ public:
             }
             if (!good) return false;
         }
-        return true;
+        return check_presence(object, m);
     }
 
 private:
+    /// Refuses a field that the message's other values rule out, which would be lost without a word.
+    template <has_layout M>
+    bool check_presence(const json_value& object, const M& m) {
+        bool good = true;
+        each_index<M>([&]<std::size_t I>() {
+            constexpr auto& one = field_of<M, I>;
+            if (!good || one.exists(m) || object.find(one.name) == nullptr) return;
+            enter(one.name);
+            good = fail("there is no such field in a message with these values");
+        });
+        return good;
+    }
     bool fail(std::string_view what);
     bool fail_count(std::string_view how, std::size_t needed, std::size_t given);
     std::size_t enter(std::string_view name);
