@@ -1,0 +1,105 @@
+#pragma once
+
+#include "trama/daisy/link_requests.hpp"
+
+namespace trama::daisy {
+
+/// What happened at the main controller.
+enum class controller_news : std::uint8_t {
+    need_more,   ///< Nothing; call again with more bytes or later.
+    no_room,     ///< `out` is smaller than `max_output`; nothing was consumed.
+    reply,       ///< The reply to a request, or one of the replies to a broadcast; in `packet`.
+    board,       ///< Likewise, to `init` or `reset`, by a board that was not in the list before.
+    refused,     ///< An `error` from `peer` with a code from 1 on answers `request`; in `packet`.
+    complete,    ///< A broadcast has gone round and everyone in the list has answered it.
+    absent,      ///< A request has gone round: no board has its address.
+    failed,      ///< No reply after all attempts; of a broadcast: not from everyone.
+    sent_again,  ///< A request without a reply in time, or one that somebody reported as damaged.
+    alarm,       ///< An alarm of a board, acknowledged; in `packet`.
+    told,        ///< An `error` or a reply that belongs to nothing in flight, such as a second reply; in `packet`.
+    refusal,     ///< A request to the controller that is no alarm was answered by `error` 1.
+    passed_on,   ///< A packet between two boards.
+    removed,     ///< A packet that has gone round, or an orphan.
+    fault,       ///< Damaged bytes: `code`, `skipped`. Answered by `error` 0 where that can help.
+};
+
+/// What `controller::next` reports. Views live until the controller's next call.
+struct controller_event {
+    controller_news news = controller_news::need_more;
+    daisy::packet packet{};        ///< Where one came.
+    address peer{};                ///< Who it is about: the sender, or the addressee of a request without reply.
+    std::uint8_t command = 0;      ///< Of the request that it is about, where there is one.
+    unsigned attempt = 0;          ///< How often that request has been sent.
+    bool again = false;            ///< Of alarm: the same one came within a time-out; its first reply seems to be lost.
+    errc code = errc::ok;          ///< Of fault.
+    std::uint64_t skipped = 0;     ///< Of fault: bytes without use.
+    std::size_t written = 0;       ///< Bytes in `out` to be sent to the next member.
+};
+
+/// A board that has answered `init` or `reset`.
+struct board_info {
+    static constexpr std::size_t max_description = 48;
+
+    address where{};
+    link_quality quality{};
+
+    /// As the board describes itself, cut to `max_description`.
+    constexpr std::span<const std::uint8_t> description() const noexcept { return {octets_.data(), size_}; }
+    constexpr void describe(std::span<const std::uint8_t> text) noexcept {
+        size_ = std::min(text.size(), max_description);
+        copy_bytes(octets_.data(), text.data(), size_);
+    }
+
+private:
+    std::size_t size_ = 0;
+    std::array<std::uint8_t, max_description> octets_{};
+};
+
+/// The boards of the ring, in the order in which they answered first.
+template <std::size_t Size>
+class board_list {
+public:
+    static_assert(Size <= 64, "request_in_flight has one bit for each board");
+
+    constexpr board_info* find(address a) noexcept {
+        const std::size_t at = index_of_board(a);
+        return at == count_ ? nullptr : &boards_[at];
+    }
+    /// Null when the list is full.
+    constexpr board_info* add(address a) noexcept {
+        if (count_ == Size) return nullptr;
+        boards_[count_].where = a;
+        return &boards_[count_++];
+    }
+    /// `size()` when it is not in the list.
+    constexpr std::size_t index_of_board(address a) const noexcept {
+        std::size_t i = 0;
+        while (i != count_ && boards_[i].where != a) ++i;
+        return i;
+    }
+    constexpr void clear() noexcept { *this = board_list{}; }
+    constexpr std::size_t size() const noexcept { return count_; }
+    constexpr const board_info& operator[](std::size_t i) const noexcept { return boards_[i]; }
+    constexpr const board_info* begin() const noexcept { return boards_.data(); }
+    constexpr const board_info* end() const noexcept { return boards_.data() + count_; }
+    /// One bit for each board that a packet to `to` reaches.
+    constexpr std::uint64_t reached_by(address to) const noexcept {
+        std::uint64_t all = 0;
+        for (std::size_t i = 0; i != count_; ++i)
+            if (to == everyone || to == boards_[i].where || (to.broadcast() && to.group() == boards_[i].where.group())) all |= std::uint64_t{1} << i;
+        return all;
+    }
+
+private:
+    std::array<board_info, Size> boards_{};
+    std::size_t count_ = 0;
+};
+
+/// Whether `M` is what a board reports unasked. [daisy §6.10, §6.11, §7.13, §8.8, §9.4, §9.6, §10.2]
+template <class M>
+concept alarm_message = std::is_same_v<M, dc_motor::motor_stress_alarm> || std::is_same_v<M, dc_motor::motor_shut_down_alarm> ||
+                        std::is_same_v<M, servo_motor::switch_alarm> || std::is_same_v<M, distance_sensor::switch_alarm> ||
+                        std::is_same_v<M, battery_controller::battery_full_alarm> || std::is_same_v<M, battery_controller::battery_empty_alarm> ||
+                        std::is_same_v<M, trash_bin::bin_full_alarm>;
+
+}  // namespace trama::daisy

@@ -1,0 +1,69 @@
+#pragma once
+// The rarer parts of daisy/controller.hpp, which includes this file.
+#include "trama/daisy/controller.hpp"
+
+namespace trama::daisy {
+
+/// An error came. [daisy §3.4]
+template <std::size_t InFlight, std::size_t Boards>
+constexpr void controller<InFlight, Boards>::troubled(const packet& p, std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
+    const auto told = decode<common::error>(p);
+    if (!told) return;
+    if (told->code == bad_crc_code) {
+        ++line_.rejections;
+        request_in_flight* r = requests_.nearest(told->rejected.bytes());
+        if (r != nullptr && requests_.may_repeat(*r)) send_again(*r, now, out, e);
+        return;
+    }
+    request_in_flight* r = requests_.oldest_to(e.peer);
+    if (r == nullptr || !note_answer(*r, e.peer)) return;
+    const bool wide = r->destination().broadcast();
+    about(*r, e);
+    e.peer = p.envelope().source;
+    e.news = controller_news::refused;
+    if (!wide) requests_.settle(*r, now);
+}
+
+/// A request for the controller.
+template <std::size_t InFlight, std::size_t Boards>
+constexpr void controller<InFlight, Boards>::asked(const packet& p, std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
+    e.news = controller_news::refusal;
+    bool sent = false;
+    messages::at(p.index(), [&]<class M>() {
+        if constexpr (alarm_message<M> || std::is_same_v<M, common::ping>) {
+            sent = !out.put({e.peer, self_}, reply_of<M>{}).empty();
+            if constexpr (alarm_message<M>) e.news = controller_news::alarm;
+            else e.news = controller_news::told;
+        }
+    });
+    if (!sent) out.put({e.peer, self_}, common::error{unknown_command_code, {}, 0});
+    if (e.news == controller_news::alarm) e.again = alarms_.judge(p.bytes(), now) == orphan_filter<passing>::verdict::repeated;
+}
+
+/// A packet of the controller's own has gone round.
+template <std::size_t InFlight, std::size_t Boards>
+constexpr void controller<InFlight, Boards>::came_back(const packet& p, std::uint64_t now, controller_event& e) noexcept {
+    request_in_flight* r = p.envelope().source == self_ ? requests_.same_as(p.bytes()) : nullptr;
+    if (r == nullptr) return;
+    const bool wide = r->destination().broadcast();
+    const bool calling = r->command() == command_of(common::init::key);
+    const bool everybody = (boards_.reached_by(r->destination()) & ~r->answered) == 0;
+    if (wide && !everybody) return;  // the time-out repeats it
+    if (wide && calling && boards_.size() < expected_) return;
+    about(*r, e);
+    e.news = wide ? controller_news::complete : controller_news::absent;
+    if (!wide) ++line_.failures;
+    requests_.settle(*r, now);
+}
+
+/// A packet came damaged. [daisy §3.4]
+template <std::size_t InFlight, std::size_t Boards>
+constexpr void controller<InFlight, Boards>::complain(const event& got, packet_writer& out, controller_event& e) noexcept {
+    e.news = controller_news::fault;
+    e.code = got.code;
+    e.skipped = got.length;
+    if (got.code != errc::bad_checksum || !deserves_error(got.rejected, self_)) return;
+    out.put({{got.rejected[2]}, self_}, common::error{bad_crc_code, got.rejected, got.expected});
+}
+
+}  // namespace trama::daisy

@@ -1,0 +1,162 @@
+#pragma once
+
+#include "trama/daisy/link.hpp"
+
+namespace trama::daisy {
+
+namespace detail {
+template <daisy::key Key, class... All>
+struct with_key { using type = void; };
+template <daisy::key Key, class First, class... Rest>
+struct with_key<Key, First, Rest...> : std::conditional_t<First::key == Key, std::type_identity<First>, with_key<Key, Rest...>> {};
+template <daisy::key Key, class List>
+struct in_list;
+template <daisy::key Key, class... All>
+struct in_list<Key, message_list<All...>> : with_key<Key, All...> {};
+}  // namespace detail
+
+/// The response to request `M`; void for `error` and for responses. `reply_of<dc_motor::get_encoder>` is `get_encoder_reply`.
+template <class M>
+using reply_of = typename detail::in_list<key_of(family_of(M::key), command_of(M::key) | response_bit), messages>::type;
+
+/// A request of the document: something that is answered.
+template <class M>
+concept request_message = messages::contains<M> && (command_of(M::key) & response_bit) == 0 && !std::is_void_v<reply_of<M>>;
+
+inline constexpr std::size_t max_request = 16;  ///< No request of the document is longer.
+
+/// A request that has been sent and waits for its reply.
+struct request_in_flight {
+    enum class state : std::uint8_t { free, waiting, settling };
+
+    state now = state::free;
+    std::uint8_t size = 0;
+    unsigned attempts = 0;       ///< How often it was sent.
+    std::uint64_t first = 0;     ///< When it was sent first.
+    std::uint64_t latest = 0;    ///< When it was sent last, or settled.
+    std::uint64_t answered = 0;  ///< Of a broadcast: bit n, the n-th board has answered.
+    std::array<std::uint8_t, max_request> octets{};
+
+    constexpr std::span<const std::uint8_t> packet() const noexcept { return {octets.data(), size}; }
+    constexpr address destination() const noexcept { return {octets[1]}; }
+    constexpr std::uint8_t command() const noexcept { return octets[3]; }
+    /// True when a packet of `source` with the response bit set in `command` is what it waits for.
+    constexpr bool expects(address source, std::uint8_t reply_command) const noexcept {
+        if (reply_command != (command() | response_bit)) return false;
+        const address to = destination();
+        return to == source || to == everyone || (to.broadcast() && to.group() == source.group());
+    }
+};
+
+/// Requests in flight, told apart by peer and command, all that a reply says.
+///
+/// A request that was sent more than once may get more than one reply. Its place therefore stays taken for one time-out
+/// after the first, so that a late reply is never taken for the reply to the next request.
+template <std::size_t Size>
+class request_table {
+public:
+    constexpr explicit request_table(const timing& t) noexcept : timing_(t) {}
+
+    /// Notes `packet`, at most `max_request` bytes, as sent. Null when the table is full, or one of this peer and command
+    /// is in flight or settling.
+    constexpr request_in_flight* add(std::span<const std::uint8_t> packet, std::uint64_t now) noexcept {
+        request_in_flight* place = nullptr;
+        for (request_in_flight& r : requests_) {
+            release(r, now);
+            if (r.now == request_in_flight::state::free) place = &r;
+            else if (r.octets[1] == packet[1] && r.octets[3] == packet[3]) return nullptr;
+        }
+        if (place == nullptr) return nullptr;
+        *place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, now, now, 0, {}};
+        copy_bytes(place->octets.data(), packet.data(), packet.size());
+        return place;
+    }
+    /// Whether `add` would have a place for a request to `to`.
+    constexpr bool has_place(address to, std::uint8_t command, std::uint64_t now) noexcept {
+        bool place = false;
+        for (request_in_flight& r : requests_) {
+            release(r, now);
+            if (r.now == request_in_flight::state::free) place = true;
+            else if (r.destination() == to && r.command() == command) return false;
+        }
+        return place;
+    }
+
+    /// The request that a reply belongs to, null when none waits for it. One to a single board comes before a broadcast.
+    constexpr request_in_flight* find(address source, std::uint8_t reply_command) noexcept {
+        request_in_flight* wide = nullptr;
+        for (request_in_flight& r : requests_) {
+            if (r.now != request_in_flight::state::waiting || !r.expects(source, reply_command)) continue;
+            if (r.destination() == source) return &r;
+            wide = &r;
+        }
+        return wide;
+    }
+    /// The oldest request that waits for `peer`, by any command: `error` does not say which one it is about.
+    /// One to a single board comes before a broadcast.
+    constexpr request_in_flight* oldest_to(address peer) noexcept {
+        request_in_flight* oldest = nullptr;
+        for (request_in_flight& r : requests_) {
+            const auto reply = static_cast<std::uint8_t>(r.command() | response_bit);
+            if (!is_waiting(r) || !r.expects(peer, reply)) continue;
+            const bool nearer = oldest != nullptr && oldest->destination().broadcast() && !r.destination().broadcast();
+            const bool wider = oldest != nullptr && !oldest->destination().broadcast() && r.destination().broadcast();
+            if (oldest == nullptr || nearer || (!wider && r.first < oldest->first)) oldest = &r;
+        }
+        return oldest;
+    }
+    /// The request that came back whole, or null.
+    constexpr request_in_flight* same_as(std::span<const std::uint8_t> packet) noexcept {
+        for (request_in_flight& r : requests_)
+            if (is_waiting(r) && r.size == packet.size() && differing(r.packet(), packet) == 0) return &r;
+        return nullptr;
+    }
+    /// The request that somebody received as `rejected`, the nearest one; null when none resembles it.
+    constexpr request_in_flight* nearest(std::span<const std::uint8_t> rejected) noexcept {
+        request_in_flight* best = nullptr;
+        for (request_in_flight& r : requests_) {
+            if (!is_waiting(r) || !resembles(r.packet(), rejected)) continue;
+            if (best == nullptr || differing(r.packet(), rejected) < differing(best->packet(), rejected)) best = &r;
+        }
+        return best;
+    }
+    /// A request whose time is up, the one first sent first; null when there is none.
+    constexpr request_in_flight* overdue(std::uint64_t now) noexcept {
+        request_in_flight* found = nullptr;
+        for (request_in_flight& r : requests_) {
+            const bool late = is_waiting(r) && elapsed(r.latest, now) > timing_.timeout;
+            if (late && (found == nullptr || r.first < found->first)) found = &r;
+        }
+        return found;
+    }
+
+    constexpr bool may_repeat(const request_in_flight& r) const noexcept { return r.attempts < timing_.attempts; }
+    /// It was sent once more.
+    static constexpr void repeated(request_in_flight& r, std::uint64_t now) noexcept {
+        ++r.attempts;
+        r.latest = now;
+    }
+    /// It is answered or given up.
+    static constexpr void settle(request_in_flight& r, std::uint64_t now) noexcept {
+        r.now = r.attempts > 1 ? request_in_flight::state::settling : request_in_flight::state::free;
+        r.latest = now;
+    }
+    /// Requests that wait for a reply.
+    constexpr std::size_t waiting() const noexcept {
+        std::size_t n = 0;
+        for (const request_in_flight& r : requests_) n += is_waiting(r) ? 1U : 0U;
+        return n;
+    }
+
+private:
+    static constexpr bool is_waiting(const request_in_flight& r) noexcept { return r.now == request_in_flight::state::waiting; }
+    constexpr void release(request_in_flight& r, std::uint64_t now) const noexcept {
+        const bool over = elapsed(r.latest, now) > timing_.timeout;
+        if (r.now == request_in_flight::state::settling && over) r.now = request_in_flight::state::free;
+    }
+
+    timing timing_;
+    std::array<request_in_flight, Size> requests_{};
+};
+
+}  // namespace trama::daisy

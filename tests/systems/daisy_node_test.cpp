@@ -1,0 +1,267 @@
+// daisy::node alone: what each kind of packet makes it send. Packets are written out by hand.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "trama/daisy/node.hpp"
+
+namespace daisy = trama::daisy;
+using daisy::node_news;
+using octets = std::vector<std::uint8_t>;
+
+namespace {
+
+struct motor {
+    int executed = 0;
+    std::int32_t count = 0x00123456;
+
+    daisy::answer operator()(const daisy::dc_motor::get_encoder&, daisy::dc_motor::get_encoder_reply& reply) {
+        ++executed;
+        reply.count = count;
+        return daisy::answer::done;
+    }
+    daisy::answer operator()(const daisy::dc_motor::set_direction&, daisy::dc_motor::set_direction_reply&) {
+        ++executed;
+        return daisy::answer::done;
+    }
+    daisy::answer operator()(const daisy::dc_motor::dont_stop&, daisy::dc_motor::dont_stop_reply&) { return static_cast<daisy::answer>(9); }
+};
+using board = daisy::node<2, 8>;
+
+octets with_crc(octets b) {
+    b.push_back(daisy::checksum(b));
+    return b;
+}
+struct heard {
+    daisy::node_event event;
+    octets sent;
+};
+heard tell(board& n, motor& m, std::span<const std::uint8_t> in, std::uint64_t now = 0) {
+    octets out(board::max_output);
+    const auto e = n.next(in, now, out, m);
+    EXPECT_TRUE(in.empty());
+    out.resize(e.written);
+    return {e, out};
+}
+const octets get_encoder = with_crc({4, 0x11, 0x00, 0x43});
+const octets encoder_reply = with_crc({8, 0x00, 0x11, 0xC3, 0x56, 0x34, 0x12, 0x00});
+
+class daisy_node : public testing::Test {
+protected:
+    board n{daisy::board(1, 1), "motor"};
+    motor m;
+
+    void settle() { tell(n, m, get_encoder); }  // a landmark puts the decoder in step
+};
+
+}  // namespace
+
+TEST(daisy_route, sends_every_packet_the_documented_way) {
+    using daisy::route;
+    constexpr daisy::address self = daisy::board(1, 2);
+    const auto way = [&](unsigned destination, unsigned source) {
+        return daisy::route_of({{static_cast<std::uint8_t>(destination)}, {static_cast<std::uint8_t>(source)}}, self);
+    };
+    for (unsigned destination = 0; destination != 256; ++destination) {
+        for (unsigned source = 0; source != 256; ++source) {
+            const bool unremovable = (source & 15) == 15;
+            route expected = route::pass_on;
+            if (destination == 0xFF || destination == 0x1F) expected = route::consume_and_pass_on;
+            if (destination == 0x12) expected = route::consume;
+            if (source == 0x12 || unremovable) expected = route::remove;
+            ASSERT_EQ(way(destination, source), expected) << destination << " " << source;
+        }
+    }
+}
+
+TEST_F(daisy_node, carries_out_a_request_and_answers_its_source) {
+    const auto [event, sent] = tell(n, m, get_encoder);
+    EXPECT_EQ(event.news, node_news::executed);
+    EXPECT_EQ(sent, encoder_reply);
+    EXPECT_EQ(m.executed, 1);
+}
+
+TEST_F(daisy_node, answers_a_broadcast_first_and_passes_it_on_then) {
+    const octets call = with_crc({4, 0xFF, 0x00, 0x01});
+    octets expected = with_crc({9, 0x00, 0x11, 0x81, 'm', 'o', 't', 'o', 'r'});
+    expected.insert(expected.end(), call.begin(), call.end());
+    EXPECT_EQ(tell(n, m, call).sent, expected);
+
+    const octets group = with_crc({5, 0x1F, 0x00, 0x40, 0x01});
+    octets both = with_crc({4, 0x00, 0x11, 0xC0});
+    both.insert(both.end(), group.begin(), group.end());
+    EXPECT_EQ(tell(n, m, group).sent, both);
+    EXPECT_EQ(m.executed, 1);
+    const octets other_group = with_crc({4, 0x2F, 0x00, 0x49});
+    const auto [event, sent] = tell(n, m, other_group);
+    EXPECT_EQ(event.news, node_news::passed_on);
+    EXPECT_EQ(sent, other_group);
+}
+
+TEST_F(daisy_node, passes_on_unchanged_what_is_for_others_even_when_it_knows_nothing_about_it) {
+    settle();
+    for (const octets& p : {with_crc({4, 0x12, 0x00, 0x43}), with_crc({8, 0x00, 0x12, 0xC3, 1, 2, 3, 4}), with_crc({6, 0x13, 0x00, 0x7E, 1, 2})}) {
+        const auto [event, sent] = tell(n, m, p);
+        EXPECT_EQ(event.news, node_news::passed_on);
+        EXPECT_EQ(sent, p);
+    }
+}
+
+TEST_F(daisy_node, removes_what_has_come_full_circle_and_what_nobody_could_remove) {
+    const octets own = encoder_reply;
+    EXPECT_EQ(tell(n, m, own).event.news, node_news::removed);
+    const octets unremovable = with_crc({4, 0xFF, 0x2F, 0x03});
+    const auto [event, sent] = tell(n, m, unremovable);
+    EXPECT_EQ(event.news, node_news::removed);
+    EXPECT_TRUE(sent.empty());
+}
+
+TEST_F(daisy_node, answers_an_unknown_command_by_error_1) {
+    settle();
+    const octets complaint = with_crc({5, 0x00, 0x11, 0x04, 0x01});
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x7E})).sent, complaint) << "no table has it";
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x44})).sent, complaint) << "the board has no handler for it";
+    EXPECT_EQ(tell(n, m, with_crc({6, 0x11, 0x00, 0x49, 1, 0})).sent, complaint) << "an alarm";
+}
+
+TEST_F(daisy_node, answers_by_other_errors_what_it_cannot_do) {
+    settle();
+    EXPECT_EQ(tell(n, m, with_crc({5, 0x11, 0x00, 0x40, 7})).sent, with_crc({5, 0x00, 0x11, 0x04, 0x02})) << "no such direction";
+    EXPECT_EQ(m.executed, 1) << "the handler saw a value out of range";
+    const auto [event, sent] = tell(n, m, with_crc({4, 0x11, 0x00, 0x47}));
+    EXPECT_EQ(sent, with_crc({5, 0x00, 0x11, 0x04, 0x09})) << "the handler's own code";
+    EXPECT_EQ(event.news, node_news::refused);
+    EXPECT_EQ(static_cast<int>(event.verdict), 9);
+}
+
+TEST_F(daisy_node, answers_a_bad_crc_by_error_0_with_the_packet_as_received_and_the_crc_expected) {
+    settle();
+    octets damaged = with_crc({5, 0x12, 0x00, 0x40, 0x01});
+    const std::uint8_t right = damaged.back();
+    damaged.back() = 0x00;
+    octets in = damaged;
+    in.insert(in.end(), get_encoder.begin(), get_encoder.end());
+    std::span<const std::uint8_t> rest(in);
+    octets out(board::max_output);
+    const auto fault = n.next(rest, 0, out, m);
+    EXPECT_EQ(fault.news, node_news::fault);
+    EXPECT_EQ(fault.code, trama::errc::bad_checksum);
+    out.resize(fault.written);
+    octets data{12, 0x00, 0x11, 0x04, 0x00};
+    data.insert(data.end(), damaged.begin(), damaged.end());
+    data.push_back(right);
+    EXPECT_EQ(out, with_crc(data));
+    EXPECT_EQ(tell(n, m, rest).sent, encoder_reply) << "the packet behind the damage";
+}
+
+TEST_F(daisy_node, keeps_quiet_about_damaged_errors_and_impossible_sources) {
+    const auto complaint_about = [&](octets damaged) {
+        settle();
+        damaged.push_back(static_cast<std::uint8_t>(daisy::checksum(damaged) ^ 1));
+        damaged.insert(damaged.end(), get_encoder.begin(), get_encoder.end());
+        std::span<const std::uint8_t> in(damaged);
+        octets out(board::max_output);
+        const auto e = n.next(in, 0, out, m);
+        EXPECT_EQ(e.news, node_news::fault);
+        return e.written;
+    };
+    EXPECT_EQ(complaint_about({5, 0x12, 0x00, 0x04, 0x01}), 0U) << "an error about an error";
+    EXPECT_EQ(complaint_about({5, 0x12, 0x0F, 0x40, 0x01}), 0U) << "to a broadcast address";
+    EXPECT_EQ(complaint_about({5, 0x12, 0x90, 0x40, 0x01}), 0U) << "to a group that does not exist";
+    EXPECT_EQ(complaint_about({5, 0x12, 0x11, 0x40, 0x01}), 0U) << "to itself";
+    EXPECT_NE(complaint_about({5, 0x12, 0x00, 0x40, 0x01}), 0U);
+    octets longest{249, 0x12, 0x00, 0x01};  // a packet of 250 bytes does not fit into an error [D5]
+    longest.resize(249);
+    EXPECT_EQ(complaint_about(longest), 0U);
+}
+
+TEST_F(daisy_node, sends_its_last_reply_again_when_that_was_damaged) {
+    settle();
+    octets rejected = encoder_reply;
+    rejected[5] ^= 0x10;
+    octets error{static_cast<std::uint8_t>(6 + rejected.size()), 0x11, 0x12, 0x04, 0x00};
+    error.insert(error.end(), rejected.begin(), rejected.end());
+    error.push_back(daisy::checksum(std::span(rejected).first(rejected.size() - 1)));
+    error = with_crc(error);
+    for (int i = 1; i != 4; ++i) {
+        const auto [event, sent] = tell(n, m, error);
+        EXPECT_EQ(event.news, node_news::sent_again);
+        EXPECT_EQ(sent, encoder_reply);
+    }
+    EXPECT_TRUE(tell(n, m, error).sent.empty()) << "more often than the attempts allow";
+    EXPECT_EQ(m.executed, 1) << "carried out once";
+    EXPECT_EQ(n.quality().rejections, 4U);
+}
+
+TEST_F(daisy_node, repeats_an_alarm_until_it_is_confirmed_or_the_attempts_are_used_up) {
+    octets out(board::max_output);
+    const auto size = n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{0x3FF}, 1000, out);
+    ASSERT_TRUE(size);
+    out.resize(*size);
+    const octets alarm = with_crc({6, 0x00, 0x11, 0x49, 0xFF, 0x03});
+    EXPECT_EQ(out, alarm);
+    octets more(board::max_output);
+    EXPECT_EQ(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{1}, 1000, more).code(), trama::errc::buffer_too_small);
+    EXPECT_EQ(tell(n, m, {}, 1200).event.news, node_news::need_more);
+    EXPECT_EQ(tell(n, m, {}, 1201).sent, alarm);
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0xC9}), 1210).event.news, node_news::confirmed);
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0xC9}), 1211).event.news, node_news::told) << "confirmed twice";
+    EXPECT_EQ(tell(n, m, {}, 5000).event.news, node_news::need_more);
+
+    ASSERT_TRUE(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{1}, 10000, more));
+    int sent = 1;
+    std::uint64_t now = 10000;
+    for (; n.in_flight() != 0 && now != 20000; ++now) sent += tell(n, m, {}, now).event.written != 0 ? 1 : 0;
+    EXPECT_EQ(sent, 4);
+    EXPECT_EQ(now, 10805U);
+    EXPECT_EQ(n.quality().failures, 1U);
+}
+
+TEST_F(daisy_node, takes_silence_for_the_end_of_a_packet) {
+    settle();
+    const octets half(get_encoder.begin(), get_encoder.begin() + 3);
+    EXPECT_EQ(tell(n, m, half, 10).event.news, node_news::need_more);
+    EXPECT_EQ(tell(n, m, {}, 60).event.news, node_news::need_more);
+    const auto [event, sent] = tell(n, m, {}, 61);
+    EXPECT_EQ(event.news, node_news::fault);
+    EXPECT_EQ(event.code, trama::errc::truncated);
+    EXPECT_EQ(tell(n, m, get_encoder, 62).sent, encoder_reply);
+}
+
+TEST(daisy_node_guard, removes_what_comes_by_twice_when_told_to) {
+    daisy::timing t;
+    t.orphan = 100;
+    board n(daisy::board(1, 1), "motor", t);
+    motor m;
+    const octets orphan = with_crc({4, 0x12, 0x33, 0x43});
+    EXPECT_EQ(tell(n, m, orphan, 0).sent, orphan);
+    EXPECT_EQ(tell(n, m, orphan, 100).event.news, node_news::removed);
+    EXPECT_EQ(tell(n, m, orphan, 201).sent, orphan) << "a new packet of the same bytes";
+    EXPECT_EQ(tell(n, m, get_encoder, 210).sent, encoder_reply) << "its own requests are no orphans";
+    EXPECT_EQ(tell(n, m, get_encoder, 211).sent, encoder_reply);
+}
+
+TEST(daisy_node_limits, consumes_nothing_without_room_for_what_it_may_have_to_send) {
+    board n(daisy::board(1, 1), "a description that is cut to eight");
+    motor m;
+    std::span<const std::uint8_t> in(get_encoder);
+    octets small(board::max_output - 1);
+    EXPECT_EQ(n.next(in, 0, small, m).news, node_news::no_room);
+    EXPECT_EQ(in.size(), get_encoder.size());
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x02})).sent, with_crc({12, 0x00, 0x11, 0x82, 'a', ' ', 'd', 'e', 's', 'c', 'r', 'i'}));
+    EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x03})).sent, with_crc({4, 0x00, 0x11, 0x83}));
+}
+
+TEST(daisy_replies, are_found_for_every_request_of_the_document) {
+    int requests = 0;
+    daisy::messages::each([&]<class M>() {
+        if constexpr (daisy::request_message<M>) {
+            ++requests;
+            static_assert(daisy::command_of(daisy::reply_of<M>::key) == (daisy::command_of(M::key) | 0x80));
+            static_assert(daisy::family_of(daisy::reply_of<M>::key) == daisy::family_of(M::key));
+            static_assert(daisy::min_packet + M::layout.max_size <= daisy::max_request);
+        }
+    });
+    EXPECT_EQ(requests, 46);  // 3 common, 12 dc_motor, 13 servo_motor, 8 distance_sensor, 7 battery_controller, 3 trash_bin
+    static_assert(!daisy::request_message<daisy::common::error> && !daisy::request_message<daisy::common::ping_reply>);
+}
