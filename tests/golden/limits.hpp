@@ -44,6 +44,14 @@ constexpr bool limit_holds(const limit<F, M, Count>& l) {
     else return properties::round_trips_unchecked<F>(l.envelope, l.value, found[0].field);
 }
 
+/// A value that the wire has no room for: both encoders refuse it by its field and write nothing.
+template <wire_format F, class M>
+constexpr bool unwritable(const typename F::envelope& e, const M& m, field_ref field) {
+    properties::page<F> out;
+    const error expected{errc::out_of_range, field};
+    return F::encode(e, m, out.all).error() == expected && F::encode_unchecked(e, m, out.all).error() == expected && out.untouched_from(0);
+}
+
 template <const auto& Table, std::size_t I>
 struct limit_proof {
     static_assert(limit_holds(std::get<I>(Table)), "row I of Table does not hold");
@@ -67,6 +75,24 @@ std::string violations_text(const M& m) {
         all += sink.view();
     }
     return all;
+}
+
+/// The path of the field that makes `decode` fail with bad_number; else what happened instead.
+template <wire_format F, class M>
+std::string bad_number_path(std::span<const typename F::unit> stream) {
+    typename F::decoder d;
+    std::span<const typename F::unit> in = stream;
+    const auto event = d.next(in);
+    if (event.code != errc::ok) return std::string(name_of(event.code));
+    const auto m = decode<M>(event.packet);
+    if (m || m.code() != errc::bad_number) return m ? "decodes" : std::string(name_of(m.code()));
+    std::array<char, 64> buffer{};
+    text_sink sink(buffer);
+    print_path<M>(sink, m.error().field);
+    M into{};
+    EXPECT_EQ(decode_into(event.packet, into), m.error());
+    EXPECT_EQ(visit<F>(event.packet, [](const auto&) {}), m.error());
+    return std::string(sink.view());
 }
 
 template <class Table>

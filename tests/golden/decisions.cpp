@@ -1,0 +1,315 @@
+// Each place where a source document contradicts itself or is silent, and how it is read: one test for each decision.
+#include "golden/check.hpp"
+#include "golden/gateway_row.hpp"
+#include "trama/trama.hpp"
+
+namespace trama::golden {
+namespace {
+
+using daisy::envelope, daisy::trigger, daisy::state;
+using daisy_errc = std::pair<errc, std::size_t>;
+
+/// The first event of a daisy stream behind a ping, which puts the decoder in step.
+template <std::size_t N>
+daisy_errc second_event(const std::array<std::uint8_t, N>& wire) {
+    constexpr auto ping = octets("04 11 00 03 16");
+    daisy::decoder d;
+    std::span<const std::uint8_t> in = ping;
+    EXPECT_EQ(d.next(in).code, errc::ok);
+    in = wire;
+    const auto e = d.next(in);
+    return {e.code, e.packet.index()};
+}
+template <std::size_t N>
+errc code_of(const std::array<std::uint8_t, N>& wire) { return second_event(wire).first; }
+template <class M, std::size_t N>
+bool is_a(const std::array<std::uint8_t, N>& wire) {
+    const auto [code, index] = second_event(wire);
+    bool same = false;
+    if (code == errc::ok) daisy::messages::at(index, [&]<class Found>() { same = std::is_same_v<Found, M>; });
+    return same;
+}
+template <class F, class M, class Units>
+result<M> decoded(const Units& units) {
+    typename F::decoder d;
+    std::span<const typename F::unit> in = units;
+    const auto e = d.next(in);
+    if (e.code != errc::ok) return error{e.code, {}};
+    return decode<M>(e.packet);
+}
+template <class M, std::size_t N>
+result<M> gateway_message(const std::array<std::uint8_t, N>& wire) { return decoded<gateway::format, M>(wire); }
+
+template <class... Byte>
+can::frame data(std::uint32_t id, Byte... bytes) {
+    return can::frame{.id = id, .length = sizeof...(Byte), .data = {static_cast<std::uint8_t>(bytes)...}};
+}
+template <class M>
+result<M> can_message(const std::vector<can::frame>& frames) { return decoded<can::format, M>(frames); }
+
+TEST(decisions, d1_no_family_defines_0x7e_or_0x7f) {
+    for (unsigned group = 0; group != 7; ++group)
+        for (const unsigned command : {0x7EU, 0x7FU, 0xFEU, 0xFFU}) {
+            const bool response = command >= 0x80;
+            const auto board = static_cast<std::uint8_t>(group << 4 | 1);
+            std::array<std::uint8_t, 5> p{0x04, response ? std::uint8_t{0} : board, response ? board : std::uint8_t{0}, static_cast<std::uint8_t>(command), 0};
+            p[4] = static_cast<std::uint8_t>(p[0] ^ p[1] ^ p[2] ^ p[3]);
+            EXPECT_EQ(code_of(p), errc::unknown_message) << group << ' ' << command;
+        }
+}
+
+TEST(decisions, d2_group_6_is_a_second_group_of_battery_controllers) {
+    using namespace daisy::battery_controller;
+    EXPECT_TRUE(is_a<battery_empty_alarm>(octets("06 00 62 45 6B 03 49")));  // §12.2
+    EXPECT_TRUE(is_a<battery_empty_alarm>(octets("06 00 42 45 6B 03 69")));  // the same from group 4: 49^62^42 = 69
+    EXPECT_TRUE(is_a<enable>(octets("04 62 00 40 26")));                     // 04^62^00^40 = 26
+    EXPECT_TRUE(is_a<enable_reply>(octets("04 00 62 C0 A6")));               // 04^00^62^C0 = A6
+    // The encoder keeps the address that it is given.
+    for (const std::uint8_t board : {std::uint8_t{0x42}, std::uint8_t{0x62}}) {
+        std::array<std::uint8_t, 7> out{};
+        ASSERT_TRUE(daisy::encode({{0x00}, {board}}, battery_empty_alarm{0x036B}, out));
+        EXPECT_EQ(out[2], board);
+    }
+}
+
+TEST(decisions, d3_requests_belong_to_the_destination_and_responses_to_the_source) {
+    // 40 between a motor and a servo board, both ways. LEN tells: set_direction has one byte, set_position two.
+    EXPECT_TRUE(is_a<daisy::dc_motor::set_direction>(octets("05 11 21 40 00 75")));              // 05^11^21^40^00 = 75
+    EXPECT_TRUE(is_a<daisy::servo_motor::set_position>(octets("06 21 11 40 00 00 76")));         // 06^21^11^40 = 76
+    EXPECT_TRUE(is_a<daisy::dc_motor::get_encoder_reply>(octets("08 21 11 C3 01 00 00 00 FA"))); // 08^21^11^C3^01 = FA
+    EXPECT_TRUE(is_a<daisy::servo_motor::get_all_positions_reply>(octets("09 11 21 C3 01 02 03 04 05 FB")));
+    // Where that end is the main controller, the other end decides.
+    EXPECT_TRUE(is_a<daisy::dc_motor::motor_stress_alarm>(octets("06 00 11 49 00 01 5F")));      // 06^00^11^49^00^01 = 5F
+    EXPECT_TRUE(is_a<daisy::dc_motor::motor_stress_alarm_reply>(octets("04 11 00 C9 DC")));      // 04^11^00^C9 = DC
+    EXPECT_EQ(code_of(octets("05 00 00 40 00 45")), errc::unknown_message);                      // main to main
+    EXPECT_EQ(code_of(octets("04 71 00 40 35")), errc::unknown_message);                         // no such group
+    EXPECT_EQ(code_of(octets("04 FF 00 43 B8")), errc::unknown_message);                         // everyone is no family
+    EXPECT_EQ(code_of(octets("04 51 00 43 16")), errc::unknown_message);                         // trash bins end at 42
+    // Encoders refuse addresses of another family and name the destination.
+    const error wrong_family{errc::out_of_range, {field_ref::destination}};
+    std::array<std::uint8_t, 16> out{};
+    const auto refused_between = [&](std::uint8_t to, std::uint8_t from, const auto& m) {
+        return daisy::format::encode({{to}, {from}}, m, out).error() == wrong_family && daisy::format::encode_unchecked({{to}, {from}}, m, out).error() == wrong_family;
+    };
+    EXPECT_TRUE(refused_between(0x21, 0x00, daisy::dc_motor::set_direction{}));
+    EXPECT_TRUE(refused_between(0x21, 0x11, daisy::dc_motor::set_direction{}));
+    EXPECT_TRUE(refused_between(0x00, 0x00, daisy::dc_motor::set_direction{}));
+    EXPECT_TRUE(refused_between(0xFF, 0x00, daisy::dc_motor::set_direction{}));
+    EXPECT_TRUE(refused_between(0x11, 0x21, daisy::dc_motor::set_direction_reply{}));
+    EXPECT_TRUE(daisy::encode({{0x11}, {0x21}}, daisy::dc_motor::set_direction{}, out));
+    EXPECT_TRUE(daisy::encode({{0x00}, {0x11}}, daisy::dc_motor::motor_stress_alarm{}, out));
+}
+
+TEST(decisions, d4_switch_alarm_carries_trigger_then_state) {
+    // LEN 4+2 = 06; CRC 06^00^31^47^02^01 = 73
+    const auto m = decoded<daisy::format, daisy::distance_sensor::switch_alarm>(octets("06 00 31 47 02 01 73"));
+    ASSERT_TRUE(m);
+    EXPECT_EQ(m->trigger, trigger::falling_edge);
+    EXPECT_EQ(m->state, state::high);
+    // LEN 4+3 = 07; CRC 07^00^21^4C^05^01^00 = 6E
+    const auto s = decoded<daisy::format, daisy::servo_motor::switch_alarm>(octets("07 00 21 4C 05 01 00 6E"));
+    ASSERT_TRUE(s);
+    EXPECT_EQ(*s, (daisy::servo_motor::switch_alarm{5, trigger::rising_edge, state::low}));
+    // Both in one byte would be LEN 05, which the message cannot have: in step a fault, whatever its CRC.
+    constexpr auto one_byte = octets("04 11 00 03 16 05 00 31 47 02 71");
+    std::string events;
+    daisy::decoder d;
+    (void)properties::feed<daisy::format>(d, one_byte, [](std::size_t) { return std::size_t{99}; }, [&](const auto& e) { events += std::string(name_of(e.code)) + ' '; });
+    EXPECT_EQ(events, "ok bad_length ");
+}
+
+TEST(decisions, d5_a_rejected_packet_of_more_than_249_bytes_is_never_cut) {
+    std::array<std::uint8_t, 256> rejected{};
+    std::array<std::uint8_t, 256> out{};
+    const envelope e{{0x11}, {0x00}};
+    const auto send = [&](std::size_t n) { return daisy::encode(e, daisy::common::error{0, byte_view{std::span(rejected).first(n)}, 0}, out); };
+    const auto longest = send(249);  // 4 header bytes, code, 249, expected_crc, CRC: 256
+    ASSERT_TRUE(longest);
+    EXPECT_EQ(*longest, 256U);
+    EXPECT_EQ(out[0], 255);
+    for (const std::size_t n : {std::size_t{250}, std::size_t{251}, std::size_t{256}}) EXPECT_EQ(send(n).error(), (error{errc::out_of_range, {1}})) << n;
+    for (const std::size_t n : {std::size_t{0}, std::size_t{4}}) EXPECT_EQ(send(n).error(), (error{errc::out_of_range, {1}})) << n;
+}
+
+TEST(decisions, d6_requests_and_replies_bear_the_same_identifier) {
+    using namespace can;
+    const std::vector<frame> bus{data(0x81, 2, 4, 'R'), data(0x81, 2, 4, 'R', 1, 7, 100, 0, 0), data(0x83, 0, 0, 0, 0), data(0x81, 0, 0, 0, 0), data(0x7F, 1, 2, 'R')};
+    reassembler r;
+    std::span<const frame> in = bus;
+    const auto request = r.next(in);
+    EXPECT_EQ(request.id, 0x81U);
+    EXPECT_TRUE(decode<read_sensors>(request.packet));
+    const auto reply = r.next(in);
+    EXPECT_EQ(reply.id, 0x81U);
+    EXPECT_TRUE(decode<sensor_readings>(reply.packet));
+    EXPECT_EQ(r.next(in).code, errc::need_more);
+    EXPECT_EQ(r.counters().foreign, 2U);
+}
+
+TEST(decisions, d7_continuation_frames_carry_no_header) {
+    using namespace can;
+    // The second frame looks like the head of another define_function and is day, year, month ... all the same.
+    const auto m = can_message<define_function>({data(0x80, 1, 2, 'F', 'I', 'A', 20, 11, 3), data(0x80, 1, 2, 70, 3, 4, 5, 6, 7), data(0x80, 8, 9, 10, 0, 0, 0, 0, 0)});
+    ASSERT_TRUE(m);
+    EXPECT_EQ(m->start, (moment{2011, 3, 1, 5, 6, 7}));
+    EXPECT_EQ(m->end, (moment{270, 3, 4, 8, 9, 10}));  // 2*100 + 'F'
+}
+
+TEST(decisions, d8_four_sensors_fit_and_more_are_a_violation) {
+    using namespace can;
+    const auto six = can_message<define_function>({data(0x80, 1, 2, 'F', 'C', 'S', 0, 0, 0), data(0x80, 0, 0, 0, 0, 0, 0, 0, 0), data(0x80, 0, 0, 0, 6, 0, 1, 2, 3)});
+    ASSERT_TRUE(six);
+    EXPECT_EQ(six->sensor_count, 6);
+    EXPECT_EQ(violations_text(*six), "sensor_count 6 1..4\n");
+    const auto readings = can_message<sensor_readings>({data(0x80, 1, 2, 'R', 5, 0, 1, 2, 3), data(0x80, 4, 5, 6, 7)});
+    ASSERT_TRUE(readings);
+    EXPECT_EQ(violations_text(*readings), "sensor_count 5 0..4\n");
+}
+
+TEST(decisions, d9_readings_always_take_two_frames) {
+    using namespace can;
+    for (std::uint8_t count = 0; count <= 4; ++count) {
+        std::array<frame, 3> out{};
+        const auto frames = can::encode({0x81}, sensor_readings{1, 2, count, {}}, out);
+        ASSERT_TRUE(frames);
+        EXPECT_EQ(*frames, 2U);
+        EXPECT_EQ(out[0].length, 8);
+        EXPECT_EQ(out[1].length, 4);
+    }
+}
+
+TEST(decisions, d10_any_state_is_allowed) {
+    for (unsigned state = 0; state != 256; ++state) {
+        EXPECT_TRUE(is_valid(can::actuator_state{1, 2, 3, static_cast<std::uint8_t>(state)}));
+        EXPECT_TRUE(is_valid(can::set_actuator{1, 2, 3, static_cast<std::uint8_t>(state)}));
+    }
+}
+
+TEST(decisions, d11_set_clock_may_have_any_node) {
+    EXPECT_EQ(can::global_node, 99);
+    for (unsigned node = 0; node != 256; ++node) EXPECT_TRUE(is_valid(can::set_clock{static_cast<std::uint8_t>(node), 9, 2011, 4, 1, 12, 20, 30}));
+    const auto example = can_message<can::set_clock>({data(0x80, 10, 9, 'C', 20, 11, 4, 1, 12), data(0x80, 20, 30)});
+    ASSERT_TRUE(example);
+    EXPECT_EQ(example->node, 10);
+}
+
+TEST(decisions, d12_the_printed_example_of_m_is_an_actuator_state) {
+    EXPECT_TRUE(can_message<can::actuator_state>({data(0x81, 1, 7, 'A', 0, 0)}));
+    EXPECT_EQ(can_message<can::set_actuator>({data(0x81, 1, 7, 'A', 0, 0)}).code(), errc::unknown_message);
+    EXPECT_TRUE(can_message<can::set_actuator>({data(0x81, 1, 7, 'M', 0, 0)}));
+    EXPECT_TRUE(can::is_echo_of(can::set_actuator{1, 7, 0, 0}, can::set_actuator{1, 7, 0, 0}));
+    EXPECT_FALSE(can::is_echo_of(can::set_actuator{1, 7, 0, 0}, can::set_actuator{1, 7, 0, 1}));
+}
+
+TEST(decisions, d13_send_cargo_id_has_type_23) {
+    const auto as = [](const auto& wire) { gateway::decoder d; std::span<const std::uint8_t> in = wire; return d.next(in).packet.type(); };
+    constexpr auto cargo = record(" 23", "    1", "    2", "T         ", "C         ");
+    constexpr auto command = record(" 21", "    1", "    2", "T         ", "C         ");
+    EXPECT_EQ(as(cargo), 23);
+    EXPECT_TRUE(gateway_message<gateway::send_cargo_id>(cargo));
+    EXPECT_EQ(gateway_message<gateway::send_cargo_id>(command).code(), errc::unknown_message);
+    EXPECT_TRUE(gateway_message<gateway::send_command>(command));
+}
+
+TEST(decisions, d14_the_text_of_a_nack_has_80_characters) {
+    EXPECT_EQ(gateway::nack::layout.size, 101U - 3U);
+    EXPECT_EQ(gateway_message<gateway::nack>(record("102", "    1", "    2", "  1", "    3", "0123456789")).code(), errc::bad_length);
+}
+
+TEST(decisions, d15_spaces_stand_on_either_side_of_a_number) {
+    const gateway::go_node expected{7, 12, 0};
+    EXPECT_EQ(gateway_message<gateway::go_node>(record(" 15", "    7", "   12", "    0")), expected);
+    EXPECT_EQ(gateway_message<gateway::go_node>(record("15 ", "7    ", "12   ", "     ")), expected);
+    EXPECT_EQ(gateway_message<gateway::go_node>(record("015", " 7   ", "00012", "0    ")), expected);
+    EXPECT_EQ(gateway_message<gateway::go_node>(record(" 15", "  007", " 012 ", "00000")), expected);
+    const auto fails_at = [](std::uint8_t field) { return error{errc::bad_number, {field}}; };
+    EXPECT_EQ(gateway_message<gateway::go_node>(record(" 15", "  0 7", "   12", "    0")).error(), fails_at(0));
+    EXPECT_EQ(gateway_message<gateway::go_node>(record(" 15", "    7", "  +12", "    0")).error(), fails_at(1));
+    EXPECT_EQ(gateway_message<gateway::go_node>(record(" 15", "    7", "   12", "   -0")).error(), fails_at(2));
+    EXPECT_EQ(gateway_message<gateway::go_node>(record("   ", "    7", "   12", "    0")).code(), errc::bad_number);
+    // The left side is an option of the encoder.
+    std::array<std::uint8_t, 20> out{};
+    ASSERT_TRUE(gateway::encode(expected, out, gateway::justify::left));
+    EXPECT_EQ(out, record("15 ", "7    ", "12   ", "0    "));
+}
+TEST(decisions, d15_decimals_have_one_digit_behind_the_point_or_none) {
+    const auto volts = [](const auto& wire) { return gateway_message<gateway::circuit_state>(wire); };
+    const gateway::circuit_state expected{1, 480, 5, 0, {}, {}, {}};
+    EXPECT_EQ(volts(record("201", "    1", "   48", "  0.5", "    0", "      0", "0", "0")), expected);
+    EXPECT_EQ(volts(record("201", "    1", "48.0 ", "0.5  ", "     ", "       ", " ", " ")), expected);
+    EXPECT_EQ(volts(record("201", "    1", "048.0", "000.5", "    0", "      0", "0", "0")), expected);
+    EXPECT_EQ(volts(record("201", "    1", "  48.", "  0.5", "    0", "      0", "0", "0")).error(), (error{errc::bad_number, {1}}));
+    EXPECT_EQ(volts(record("201", "    1", " 48.0", "   .5", "    0", "      0", "0", "0")).error(), (error{errc::bad_number, {2}}));
+    EXPECT_EQ(volts(record("201", "    1", " 1000", "  0.5", "    0", "      0", "0", "0")).error(), (error{errc::bad_number, {1}}));
+    EXPECT_EQ(fields_json(expected), R"({"msg_id":1,"circuit_voltage":48.0,"circuit_current":0.5,"working_carts":0,"check":[],"target_mode":"no_power_freezing","mode":"no_power_freezing"})");
+}
+
+/// A cart_state with `speed` in the speed's columns and `node` in those of ini_node.
+template <std::size_t N, std::size_t K>
+constexpr auto cart_with(const char (&speed)[N], const char (&node)[K]) {
+    auto wire = record("200", "    0", "    0", "   0", "0", "    0", "  0", "    0", "    0", "    0", "0",
+                       "0", "  0", "    0", "    0", "    0", " 0", "          ", "          ", "          ", "0", "          ", "          ", "          ",
+                       "0", "  0", "    0", "    0", "    0", " 0", "          ", "          ", "          ", "0", "          ", "          ", "          ");
+    for (std::size_t i = 0; i != 5; ++i) wire[1 + 36 + i] = static_cast<std::uint8_t>(speed[i]);
+    for (std::size_t i = 0; i != 5; ++i) wire[1 + 18 + i] = static_cast<std::uint8_t>(node[i]);
+    return wire;
+}
+TEST(decisions, d16_speed_alone_may_be_negative) {
+    const auto speed = [](const auto& wire) { const auto m = gateway_message<gateway::cart_state>(wire); return m ? m->speed_mms : -100000; };
+    EXPECT_EQ(speed(cart_with("-9999", "    0")), -9999);
+    EXPECT_EQ(speed(cart_with("  -12", "    0")), -12);
+    EXPECT_EQ(speed(cart_with("-12  ", "    0")), -12);
+    EXPECT_EQ(speed(cart_with("   -0", "    0")), 0);
+    EXPECT_EQ(speed(cart_with("99999", "    0")), 99999);
+    EXPECT_EQ(gateway_message<gateway::cart_state>(cart_with(" - 12", "    0")).error(), (error{errc::bad_number, {8}}));
+    EXPECT_EQ(gateway_message<gateway::cart_state>(cart_with("    -", "    0")).error(), (error{errc::bad_number, {8}}));
+    EXPECT_EQ(gateway_message<gateway::cart_state>(cart_with("  12-", "    0")).error(), (error{errc::bad_number, {8}}));
+    EXPECT_EQ(gateway_message<gateway::cart_state>(cart_with("    0", "   -1")).error(), (error{errc::bad_number, {4}}));
+}
+
+TEST(decisions, d17_text_keeps_its_characters_and_loses_trailing_spaces_only_when_read) {
+    const auto m = gateway_message<gateway::send_command>(record(" 21", "    1", "    2", "  T 1     ", "          "));
+    ASSERT_TRUE(m);
+    EXPECT_EQ(m->transit_id.view(), "  T 1");
+    EXPECT_EQ(m->command.view(), "");
+    EXPECT_EQ((text<10>{"A"}), (text<10>{"A "}));
+    EXPECT_NE((text<10>{"A"}), (text<10>{" A"}));
+    std::array<std::uint8_t, 35> out{};
+    ASSERT_TRUE(gateway::encode(*m, out));
+    EXPECT_EQ(out, record(" 21", "    1", "    2", "  T 1     ", "          "));
+    EXPECT_EQ(gateway::encode(gateway::send_command{1, 2, "12345678901", ""}, out).error(), (error{errc::out_of_range, {2}}));
+    EXPECT_EQ(gateway::encode(gateway::send_command{1, 2, "", "\n"}, out).error(), (error{errc::out_of_range, {3}}));
+}
+
+TEST(decisions, d18_an_ack_of_idle_processing_names_no_cart) {
+    const gateway::ack expected{3, 0, gateway::order_type::idle_processing, 11};
+    EXPECT_EQ(gateway_message<gateway::ack>(record("101", "    3", "     ", " 50", "   11")), expected);
+    EXPECT_EQ(gateway_message<gateway::ack>(record("101", "    3", "    0", " 50", "   11")), expected);
+    EXPECT_TRUE(is_valid(expected));
+}
+
+TEST(decisions, d19_every_reply_may_answer_every_order_of_a_client) {
+    for (const int type : {1, 2, 3, 10, 15, 20, 21, 22, 23, 30, 50}) {
+        const auto src = static_cast<gateway::order_type>(type);
+        EXPECT_TRUE(is_valid(gateway::transit_ack{1, 2, src, 3, ""}) && is_valid(gateway::ack{1, 2, src, 3}) && is_valid(gateway::nack{1, 2, src, 3, ""})) << type;
+    }
+    for (const int type : {0, 4, 51, 100, 101, 102, 200, 201, 999}) {
+        const auto src = static_cast<gateway::order_type>(type);
+        EXPECT_FALSE(is_valid(gateway::transit_ack{1, 2, src, 3, ""}) || is_valid(gateway::ack{1, 2, src, 3}) || is_valid(gateway::nack{1, 2, src, 3, ""})) << type;
+    }
+}
+
+TEST(decisions, d20_a_level_is_0_to_15) {
+    for (unsigned level = 0; level != 100; ++level) {
+        const auto l = static_cast<std::uint8_t>(level);
+        gateway::cart_state cart{};
+        cart.orders[1].level = l;
+        EXPECT_EQ(is_valid(gateway::load{1, 2, 3, 4, l, "", "", ""}), level <= 15) << level;
+        EXPECT_EQ(is_valid(gateway::transit{1, 2, 3, 4, l, "", "", ""}), level <= 15) << level;
+        EXPECT_EQ(is_valid(gateway::unload{1, 2, 3, 4, l, "", "", ""}), level <= 15) << level;
+        EXPECT_EQ(is_valid(cart), level <= 15) << level;
+    }
+}
+
+}  // namespace
+}  // namespace trama::golden
