@@ -175,7 +175,8 @@ class BadLines(ToolCase):
     def test_what_is_no_candump_line(self):
         bad = ["", "garbage", "(1.0) can0", "(1.0) can0 081", "1.0 can0 081#00", "(x) can0 081#020452", "(1.0) can0 081#02045",
                "(1.0) can0 081#0204XX", "(1.0) can0 81#020452", "(1.0) can0 081#000000000000000000", "(1.0) 081#020452",
-               "(1.0) can0 0081#020452", "(1.0) can0 G81#020452"]
+               "(1.0) can0 0081#020452", "(1.0) can0 G81#020452", "(1.0) can0 881#020452", "(1) can0 081#020452",
+               "(1.) can0 081#020452", "(.5) can0 081#020452", "(-1.0) can0 081#020452", "(1.0) can0 081#020452 x"]
         for text in bad:
             with self.subTest(text):
                 log = can_log(READ) + text.encode() + b"\n" + can_log(READ)

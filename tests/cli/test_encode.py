@@ -66,11 +66,11 @@ class Messages(ToolCase):
 
 class Ignored(ToolCase):
     def test_places_and_violations(self):
-        line = {**daisy(), "offset": 99, "length": 1, "violations": [{"field": "x", "value": 1, "allowed": "0"}]}
+        line = {**daisy(), "offset": 99, "length": 1, "line": 1, "frames": 2, "violations": [{"field": "x", "value": 1, "allowed": "0"}]}
         self.assertEqual(self.encode("daisy", line)[0], packet("10 00 03"))
         line = {**gateway(msg_id=12), "offset": 99, "length": 1, "violations": []}
         self.assertEqual(self.encode("gateway", line)[0], record(" 50   12"))
-        line = {**can(node=2, message_id=4), "line": 99, "frames": 3, "violations": []}
+        line = {**can(node=2, message_id=4), "line": 99, "frames": 3, "offset": 0, "length": 1, "violations": []}
         self.assertEqual(self.encode("can", line)[0], can_log("081#020452"))
 
 
@@ -221,7 +221,9 @@ class Refusals(ToolCase):
             self.encode_refuses("daisy", daisy("common.error", code=0, rejected=rejected), "rejected")
 
     def test_fields_that_do_not_exist_for_this_code(self):
-        self.encode_refuses("daisy", daisy("common.error", code=1, rejected="0510004001"), "rejected")
+        for options in ([], ["--unchecked"]):
+            self.encode_refuses("daisy", daisy("common.error", code=1, rejected="0510004001"), "rejected", options=options)
+            self.encode_refuses("daisy", daisy("common.error", expected_crc=0, code=7), "expected_crc", options=options)
 
     def test_text_that_does_not_fit_or_breaks_the_framing(self):
         for options in ([], ["--unchecked"]):
@@ -287,6 +289,10 @@ class BadLines(ToolCase):
         self.assertIn("2", said[0])
         self.assertIn("4", said[1])
         self.assertIn("levl", said[1])
+
+    def test_a_refused_line_leaves_no_line_in_hex(self):
+        out, _ = self.encode("gateway", self.GOOD, "oops", self.GOOD, options=["--hex"], status=1)
+        self.assertEqual(out, b"02 20 35 30 20 20 20 31 32 03\n" * 2)
 
     def test_error_lines_are_reported_and_skipped(self):
         error = '{"protocol":"gateway","offset":0,"length":12,"error":"bad_length","bytes":"0220"}'
