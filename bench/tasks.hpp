@@ -53,53 +53,55 @@ template <class F>
     read<F>(decoder, {}, f);
 }
 
+// Each task counts in variables of its own: a tally is returned through memory, which the loop would then write to.
+
 /// Finds the packets.
 template <class F>
 tally framing(unit_span<F> in, std::size_t chunk) {
-    tally t;
-    drive<F>(in, chunk, [&](const auto& event) {
+    std::uint64_t messages = 0, sum = 0, errors = 0;
+    drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (event || event.code == errc::unknown_message) {
-            ++t.messages;
-            t.sum += event.length;
+            ++messages;
+            sum += event.length;
         } else {
-            ++t.errors;
+            ++errors;
         }
     });
-    return t;
+    return {messages, sum, errors};
 }
 
 /// Finds the packets and hands each typed message to a visitor that reads all of its fields, in order.
 template <class F, bool Validate = false>
 tally typed(unit_span<F> in, std::size_t chunk) {
-    tally t;
+    std::uint64_t messages = 0, sum = 0, errors = 0;
     drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (!event) {
-            ++t.errors;
+            ++errors;
             return;
         }
         const error e = visit<F>(event.packet, [&]<class M>(const M& m) __attribute__((always_inline)) {
-            if constexpr (Validate) t.errors += is_valid(m) ? 0 : 1;
-            t.sum += word_of(m) + static_cast<std::uint64_t>(M::key) + traits<F>::word_of_envelope(event.packet);
+            if constexpr (Validate) errors += is_valid(m) ? 0 : 1;
+            sum += word_of(m) + static_cast<std::uint64_t>(M::key) + traits<F>::word_of_envelope(event.packet);
         });
-        ++t.messages;
-        t.errors += e ? 1 : 0;
+        ++messages;
+        errors += e ? 1 : 0;
     });
-    return t;
+    return {messages, sum, errors};
 }
 
 /// Finds the packets and reads two fields of one kind of message by view.
 template <class F>
 tally selected(unit_span<F> in, std::size_t chunk) {
-    tally t;
-    drive<F>(in, chunk, [&](const auto& event) {
+    std::uint64_t messages = 0, sum = 0, errors = 0;
+    drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (!event) {
-            ++t.errors;
+            ++errors;
             return;
         }
-        ++t.messages;
-        t.sum += traits<F>::two_fields(event.packet);
+        ++messages;
+        sum += traits<F>::two_fields(event.packet);
     });
-    return t;
+    return {messages, sum, errors};
 }
 
 /// A stream and how many messages it is made of.

@@ -50,16 +50,17 @@ constexpr opening open_message(const frame& first) noexcept {
 
 /// A message's frames, reassembled. Views live until the reassembler's next call.
 class packet {
+    // Accessors are always inlined: a call would force the packet, and the reassembler's event around it, into memory.
 public:
     constexpr packet() = default;
     constexpr packet(can::envelope e, std::span<const std::uint8_t> body, std::size_t index) noexcept : envelope_(e), body_(body), index_(index) {}
 
-    constexpr can::envelope envelope() const noexcept { return envelope_; }
+    [[gnu::always_inline]] constexpr can::envelope envelope() const noexcept { return envelope_; }
     /// The frames' data run together, the letter included.
-    constexpr std::span<const std::uint8_t> body() const noexcept { return body_; }
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> body() const noexcept { return body_; }
     /// Position in `messages`, or `unknown`.
-    constexpr std::size_t index() const noexcept { return index_; }
-    constexpr can::key key() const noexcept { return known.keys[index_]; }
+    [[gnu::always_inline]] constexpr std::size_t index() const noexcept { return index_; }
+    [[gnu::always_inline]] constexpr can::key key() const noexcept { return known.keys[index_]; }
 
 private:
     can::envelope envelope_{};

@@ -164,7 +164,7 @@ constexpr void store_body(std::uint8_t* p, const M& m) noexcept {
 
 /// Decodes the fields of `body` into `m`, which is unspecified on error: `bad_length`, or `bad_number` with its field.
 template <has_layout M>
-constexpr error load_body(std::span<const std::uint8_t> body, M& m) noexcept {
+[[gnu::always_inline]] constexpr error load_body(std::span<const std::uint8_t> body, M& m) noexcept {
     if constexpr (M::layout.fixed) {
         if (body.size() != M::layout.size) [[unlikely]] return {errc::bad_length, {}};
         if (load_fields(body.data(), m) == 0) [[likely]] return {};

@@ -101,9 +101,9 @@ template <wire_format F>
 
 /// Calls `f(const event&)` for everything that `in` completes.
 template <wire_format F>
-constexpr void read(typename F::decoder& decoder, std::span<const typename F::unit> in, auto&& f) {
+[[gnu::always_inline]] constexpr void read(typename F::decoder& decoder, std::span<const typename F::unit> in, auto&& f) {
     for (;;) {
-        const auto event = decoder.next(in);
+        auto event = decoder.next(in);  // not const: g++ 12 would keep it in memory instead of registers
         if (event.code == errc::need_more) return;
         f(event);
     }

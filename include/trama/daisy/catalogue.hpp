@@ -18,7 +18,7 @@ struct catalogue {
     std::array<std::uint16_t, unknown + 1> fixed_len{};  ///< LARGO of a fixed message, `variable` of the others.
     std::array<daisy::key, unknown + 1> keys{};
     /// Row of `quick`, times 256, by the groups of a header and its response bit, as `pair_of` picks them out.
-    std::array<std::uint16_t, 0xF20> rows{};
+    std::array<std::uint16_t, 512> rows{};
     /// By row and command: LARGO of a fixed message, or `variable`, times 128, and the message's index. A row is a group,
     /// or 7 where the groups are not documented.
     std::array<std::uint16_t, 8 * 256> quick{};
@@ -43,12 +43,17 @@ struct catalogue {
         for (auto& row : rows) row = 7 << 8;
         for (unsigned destination = 0; destination != 7; ++destination)
             for (unsigned source = 0; source != 7; ++source) {
-                rows[source << 8 | destination] = static_cast<std::uint16_t>((destination != 0 ? destination : source) << 8);
-                rows[source << 8 | 0x10 | destination] = static_cast<std::uint16_t>((source != 0 ? source : destination) << 8);
+                const std::uint32_t request = destination << 12 | source << 20, response = request | std::uint32_t{response_bit} << 24;
+                rows[pair_of(request)] = static_cast<std::uint16_t>((destination != 0 ? destination : source) << 8);
+                rows[pair_of(response)] = static_cast<std::uint16_t>((source != 0 ? source : destination) << 8);
             }
     }
-    /// Place in `rows` of a header whose four bytes are `head`, first one lowest.
-    static constexpr std::size_t pair_of(std::uint32_t head) noexcept { return (head >> 12 & 0xF0F) | (head >> 27 & 0x10); }
+    /// Place in `rows` of a header whose four bytes are `head`, first one lowest. The product moves the two groups and
+    /// the response bit to the top nine bits; what else it adds up stays below and never carries.
+    static constexpr std::size_t pair_of(std::uint32_t head) noexcept {
+        constexpr std::uint64_t gather = std::uint64_t{1} << 48 | std::uint64_t{1} << 36 | std::uint64_t{1} << 24;
+        return std::uint64_t{head & 0x80F0F000} * gather >> 55;
+    }
     /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
     static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
 };

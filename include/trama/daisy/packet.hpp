@@ -6,25 +6,26 @@ namespace trama::daisy {
 
 /// A packet whose length and CRC were verified: views of its bytes, which live until the decoder's next call. [daisy §2]
 class packet {
+    // Accessors are always inlined: a call would force the packet, and the decoder's event around it, into memory.
 public:
     constexpr packet() = default;
     /// Precondition: `bytes` is a whole packet with a good CRC and `index` its `index_of`.
     constexpr packet(std::span<const std::uint8_t> bytes, std::size_t index) noexcept : bytes_(bytes), index_(index) {}
 
     /// All of it, LARGO to CRC; send these to pass the packet on unchanged.
-    constexpr std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
     /// DATO.
-    constexpr std::span<const std::uint8_t> body() const noexcept { return bytes_.empty() ? bytes_ : bytes_.subspan(header_size, bytes_.size() - min_packet); }
-    constexpr daisy::envelope envelope() const noexcept { return {{at(1)}, {at(2)}}; }
-    constexpr std::uint8_t command() const noexcept { return at(3); }
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> body() const noexcept { return bytes_.empty() ? bytes_ : std::span(bytes_.data() + header_size, bytes_.size() - min_packet); }
+    [[gnu::always_inline]] constexpr daisy::envelope envelope() const noexcept { return {{at(1)}, {at(2)}}; }
+    [[gnu::always_inline]] constexpr std::uint8_t command() const noexcept { return at(3); }
     constexpr bool response() const noexcept { return (command() & response_bit) != 0; }
     /// Position in `messages`, or `unknown`.
-    constexpr std::size_t index() const noexcept { return index_; }
+    [[gnu::always_inline]] constexpr std::size_t index() const noexcept { return index_; }
     /// Of an unknown packet, a key that no message has.
     constexpr daisy::key key() const noexcept { return index_ < unknown ? known.keys[index_] : key_of(family::none, command()); }
 
 private:
-    constexpr std::uint8_t at(std::size_t i) const noexcept { return i < bytes_.size() ? bytes_[i] : std::uint8_t{0}; }
+    [[gnu::always_inline]] constexpr std::uint8_t at(std::size_t i) const noexcept { return i < bytes_.size() ? bytes_[i] : std::uint8_t{0}; }
 
     std::span<const std::uint8_t> bytes_{};
     std::size_t index_ = unknown;
@@ -58,20 +59,6 @@ constexpr header judge_header(const Bytes& bytes, std::size_t at, std::size_t co
     if (count >= 2 && bytes[at + 1] >= 0x70 && bytes[at + 1] != everyone.octet) return header::open;
     if (count >= 3 && bytes[at + 2] >= 0x70) return header::open;
     return header::unclear;
-}
-
-/// True when an intact packet with a documented header is more than a chance hit: texts must be plain, a rejected
-/// packet must agree with its own CRC. Such a packet speaks for the phase it was found in.
-constexpr bool is_landmark(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
-    if (known.fixed_len[index] != variable) return true;
-    bool evident = false;
-    messages::at(index, [&]<class M>() {
-        if constexpr (!M::layout.fixed) {
-            M m;
-            evident = !load_body(whole.subspan(header_size, whole.size() - min_packet), m) && m.evident();
-        }
-    });
-    return evident;
 }
 
 }  // namespace trama::daisy

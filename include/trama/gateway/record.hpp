@@ -34,6 +34,7 @@ constexpr std::size_t index_of(std::uint32_t type) noexcept { return type < cata
 
 /// A record between its delimiters, printable throughout. Views live until the decoder's next call.
 class packet {
+    // Accessors are always inlined: a call would force the packet, and the decoder's event around it, into memory.
 public:
     constexpr packet() = default;
     /// Precondition: `bytes` runs from STX to ETX.
@@ -44,19 +45,19 @@ public:
         friend constexpr bool operator==(no_envelope, no_envelope) = default;
     };
     /// All of it, STX to ETX; send these to pass the record on unchanged.
-    constexpr std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
     /// The characters between the delimiters, the type included.
-    constexpr std::span<const std::uint8_t> payload() const noexcept { return bytes_.size() < 2 ? bytes_ : bytes_.subspan(1, bytes_.size() - 2); }
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> payload() const noexcept { return bytes_.size() < 2 ? bytes_ : std::span(bytes_.data() + 1, bytes_.size() - 2); }
     /// The characters behind the type.
-    constexpr std::span<const std::uint8_t> body() const noexcept {
-        return bytes_.size() < type_size + 2 ? std::span<const std::uint8_t>{} : bytes_.subspan(type_size + 1, bytes_.size() - type_size - 2);
+    [[gnu::always_inline]] constexpr std::span<const std::uint8_t> body() const noexcept {
+        return bytes_.size() < type_size + 2 ? std::span<const std::uint8_t>{} : std::span(bytes_.data() + type_size + 1, bytes_.size() - type_size - 2);
     }
-    constexpr no_envelope envelope() const noexcept { return {}; }
+    [[gnu::always_inline]] constexpr no_envelope envelope() const noexcept { return {}; }
     /// The record's type, 0..999, as its first three characters say.
-    constexpr std::uint16_t type() const noexcept { return type_; }
-    constexpr order_type key() const noexcept { return static_cast<order_type>(type_); }
+    [[gnu::always_inline]] constexpr std::uint16_t type() const noexcept { return type_; }
+    [[gnu::always_inline]] constexpr order_type key() const noexcept { return static_cast<order_type>(type_); }
     /// Position in `messages`, or `unknown`.
-    constexpr std::size_t index() const noexcept { return index_; }
+    [[gnu::always_inline]] constexpr std::size_t index() const noexcept { return index_; }
 
 private:
     std::span<const std::uint8_t> bytes_{};
