@@ -69,7 +69,7 @@ class sight {
   bool landmark(std::size_t q, std::size_t end) const {
     if (!documented_packet(q, end)) return false;
     const message_form& found = *message(q);
-    if (found.form == shape::text) return plain_text(q);
+    if (found.form == shape::text) return plain_text(q) && !holds_short_packet(q);
     if (found.form == shape::error && at(q + 4) == 0) return consistent_error(q);
     return true;
   }
@@ -91,6 +91,17 @@ class sight {
       if (!plain) return false;
     }
     return true;
+  }
+
+  // A whole packet that can hold nothing but numbers lies behind the text's first byte.
+  bool holds_short_packet(std::size_t q) const {
+    const std::size_t end = packet_end(q);
+    for (std::size_t inner = q + 1; inner < end; ++inner) {
+      if (!documented_packet(inner, end)) continue;
+      const shape form = message(inner)->form;
+      if (form != shape::text && form != shape::error) return true;
+    }
+    return false;
   }
 
   // LEN destination source 0x04 | 0x00 rejected… expected_crc | CRC
@@ -129,18 +140,29 @@ class stretch {
     if (!seen_.complete(p_, end_)) return lose_step("truncated");
     if (seen_.xor_over(p_, seen_.packet_end(p_)) != 0) return lose_step("bad_checksum");
     if (seen_.landmark(p_, end_)) {
-      if (hunter_active_) trust_ = std::max(0, trust_ - 2 * shadow_finds(true));
-      trust_ = std::min(trust_ + 1, 16);
+      if (hunter_active_) trust_ = std::max(0, trust_ - shadow_cost(rank::landmark));
+      trust_ = std::min(trust_ + 1, most_trust);
       return accept();
     }
     if (!hunter_active_) {
       hunter_active_ = true;
       s_ = p_ + 1;
     }
-    const int cost = 2 * shadow_finds(false);
+    const int cost = shadow_cost(seen_.documented_packet(p_, end_) ? rank::documented : rank::undocumented);
     if (cost > trust_) return lose_step("noise");
     trust_ -= cost;
     accept();
+  }
+
+  // How much a packet says about the phase it was found in.
+  enum class rank { undocumented, documented, landmark };
+  static constexpr int most_trust = 2;
+  static constexpr int accident = 2;  // a find that nothing documented follows
+  static constexpr int decisive = most_trust + 1;
+
+  // The packet at q, which is complete, is evidence against accepting one of rank `judged`.
+  bool evidence(std::size_t q, std::size_t end, rank judged) const {
+    return judged == rank::undocumented ? seen_.acceptable_while_hunting(q, end) : seen_.landmark(q, end);
   }
 
   void accept() {
@@ -150,15 +172,15 @@ class stretch {
     p_ = after;
   }
 
-  // The shadow hunter works on all bytes up to the end of the packet at p_; gives its finds.
-  int shadow_finds(bool judged_is_landmark) {
+  // The shadow hunter works on all bytes up to the end of the packet at p_; gives what its finds cost.
+  int shadow_cost(rank judged) {
     const std::size_t seen_end = seen_.packet_end(p_);
-    int finds = 0;
+    int cost = 0;
     while (s_ < seen_end) {
       if (s_ == p_) {
-        if (judged_is_landmark) {
+        if (judged == rank::landmark) {
           hunter_active_ = false;
-          return finds;
+          return cost;
         }
         ++s_;
         continue;
@@ -167,17 +189,18 @@ class stretch {
       if (header == sight::header::impossible) {
         ++s_;
       } else if (header == sight::header::possible || !seen_.complete(s_, seen_end)) {
-        return finds;  // waits for more bytes
-      } else if (!seen_.landmark(s_, seen_end)) {
+        return cost;  // waits for more bytes
+      } else if (!evidence(s_, seen_end, judged)) {
         ++s_;
       } else if (accepted_.contains(s_)) {
         s_ = p_;
       } else {
-        ++finds;
         s_ = seen_.packet_end(s_);
+        const bool followed = s_ < seen_end && seen_.documented_header(s_, seen_end) == sight::header::documented;
+        cost += followed ? decisive : accident;
       }
     }
-    return finds;
+    return cost;
   }
 
   void lose_step(const std::string& code) {

@@ -38,7 +38,7 @@ struct catalogue {
         for (unsigned row = 0; row != 8; ++row)
             for (unsigned command = 0; command != 256; ++command) {
                 const unsigned found = (command & 0x30) == 0 && row != 7 ? index[slot(row, command)] : unknown;
-                quick[row << 8 | command] = static_cast<std::uint16_t>(fixed_len[found] << 7 | found);
+                quick[row << 8 | command] = static_cast<std::uint16_t>(unsigned{fixed_len[found]} << 7 | found);
             }
         for (auto& row : rows) row = 7 << 8;
         for (unsigned destination = 0; destination != 7; ++destination)

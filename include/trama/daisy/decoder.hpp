@@ -79,7 +79,7 @@ private:
     [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in, unsigned found) noexcept {
         const std::size_t index = found & 0x7F, size = std::size_t{in[0]} + 1;
         if (found >> 7 != variable || index == unknown || size < min_packet || size > in.size()) return false;
-        return body_fits(index, size - min_packet, &in[header_size]) && xor_of(in.first(size)) == 0 && is_landmark(in.first(size), index);
+        return body_fits(index, size - min_packet, &in[header_size]) && xor_of(in.first(size)) == 0 && recovery::is_landmark(in.first(size), index);
     }
 
     constexpr event deliver_unknown(std::span<const std::uint8_t> whole) noexcept {

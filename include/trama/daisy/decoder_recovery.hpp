@@ -37,11 +37,11 @@ constexpr event decoder::step(bytes_in& in) noexcept {
     const auto whole = gather(size, in);
     const bool documented = judge_header(whole, 0, header_size + 1) == header::documented;
     const std::size_t index = index_of(whole[1], whole[2], whole[3]);
-    const bool landmark = documented && is_landmark(whole, index);
+    const standing s = !documented ? standing::undocumented : recovery::is_landmark(whole, index) ? standing::landmark : standing::documented;
     if (certain_) {
         certain_ = false;
-        if (landmark) phase_.confirm();
-    } else if (!phase_.accepts(whole, landmark, scratch_)) {
+        if (s == standing::landmark) phase_.confirm();
+    } else if (!phase_.accepts(whole, s, scratch_)) {
         return fault(errc::noise, in);
     }
     if (held() != 0) release_ = size;

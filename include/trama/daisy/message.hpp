@@ -23,6 +23,14 @@ struct reply_to {
     friend constexpr bool operator==(const reply_to&, const reply_to&) = default;
 };
 
+/// True for the messages that carry bytes of any kind and number: texts and errors.
+template <has_layout M>
+inline constexpr bool carries_bytes = [] {
+    bool any = false;
+    each_index<M>([&]<std::size_t I>() { any = any || std::is_same_v<typename std::remove_cvref_t<decltype(field_of<M, I>)>::value, byte_view>; });
+    return any;
+}();
+
 inline constexpr rule adc_range = between(0, 0x3FF);      ///< 10-bit converter counts.
 inline constexpr rule servo_ids = between(0, 4);          ///< [daisy §7.1]
 inline constexpr rule degrees = between(0, 180);          ///< [daisy §7.1]

@@ -4,10 +4,17 @@
 
 namespace trama::daisy {
 
-/// Judges whether a decoder that believes to be in step may accept a packet that proves nothing: an undocumented
-/// one, or a text that could be anything. It keeps a ledger: landmarks of this phase add to its trust. From the first
-/// such packet on a shadow reads the same bytes in search of landmarks in any other phase; each costs twice what one
-/// in step earns. A false phase that is not itself made of documented packets runs out of trust.
+/// What an intact packet says about the phase it was found in.
+enum class standing : std::uint8_t {
+    undocumented,  ///< Nothing: any bytes will do.
+    documented,    ///< Little: a text that could be anything, an error that does not agree with itself.
+    landmark,      ///< That packets begin here.
+};
+
+/// Judges whether a decoder that believes to be in step may accept a packet that proves nothing. From the first such
+/// packet on a shadow reads the same bytes in search of packets of higher standing in another phase. One that a
+/// documented header follows decides the matter. Another, which may be an accident inside the packet's data, costs two
+/// points of trust; each landmark in step earns one.
 class phase_judge {
 public:
     using history = std::array<std::uint8_t, max_packet>;
@@ -23,14 +30,15 @@ public:
 
     /// Whether the decoder may accept `packet`, which is intact. Landmarks always are.
     /// `past` holds the bytes before it that the shadow has not done with.
-    constexpr bool accepts(std::span<const std::uint8_t> packet, bool landmark, history& past) noexcept {
+    constexpr bool accepts(std::span<const std::uint8_t> packet, standing s, history& past) noexcept {
+        const bool landmark = s == standing::landmark;
         if (!watching_) {
             if (landmark) { confirm(); return true; }
             watching_ = true;
             size_ = at_ = boundary_ = 0;
         }
         const window w({past.data(), size_}, packet);
-        const unsigned cost = 2 * search(w, landmark);
+        const unsigned cost = search(w, s);
         if (!landmark && cost > trust_) return false;
         trust_ = static_cast<std::uint8_t>(cost < trust_ ? trust_ - cost : 0);
         if (landmark) confirm();
@@ -39,30 +47,41 @@ public:
     }
 
 private:
-    static constexpr std::uint8_t most_trust = 16;
+    static constexpr std::uint8_t most_trust = 2;
+    static constexpr unsigned accident = 2, decisive = most_trust + 1;
 
-    /// Runs the shadow over `w`, whose last packet begins at `size_`. Returns how many landmarks of another phase it met.
-    constexpr unsigned search(const window& w, bool landmark) noexcept {
-        unsigned finds = 0;
+    /// Runs the shadow over `w`, whose last packet begins at `size_`. Returns what it met in another phase, in points.
+    constexpr unsigned search(const window& w, standing judged) noexcept {
+        unsigned cost = 0;
         for (;;) {
             if (at_ == size_) {
-                if (landmark) { watching_ = false; return finds; }  // both phases agree
+                if (judged == standing::landmark) { watching_ = false; return cost; }  // both phases agree
                 ++at_;
             }
             const std::size_t left = w.size() - at_;
             const header h = judge_header(w, at_, std::min<std::size_t>(left, header_size + 1));
-            if (h == header::unclear) return finds;
+            if (h == header::unclear) return cost;
             const std::size_t size = std::size_t{w[at_]} + 1;
-            if (h == header::documented && size > left) return finds;
-            if (h != header::documented || w.xor_of(at_, size) != 0 || !recovery::is_landmark_at(w, at_)) {
+            if (h == header::documented && size > left) return cost;
+            if (h != header::documented || !outranks(w, judged)) {
                 ++at_;
             } else if (is_boundary(w)) {
                 at_ = size_;  // an accepted packet: the phases agreed there
             } else {
-                ++finds;
                 at_ += size;
+                cost += begins_packet(w) ? decisive : accident;
             }
         }
+    }
+    /// True when the whole packet at the shadow's place says more than the one that is judged.
+    constexpr bool outranks(const window& w, standing judged) const noexcept {
+        if (judged == standing::undocumented) return recovery::is_acceptable(w, at_);
+        return recovery::is_intact(w, at_, w.size()) && recovery::is_landmark_at(w, at_);
+    }
+    /// True when a documented header stands at the shadow's place.
+    constexpr bool begins_packet(const window& w) const noexcept {
+        const std::size_t left = w.size() - at_;
+        return left >= header_size && judge_header(w, at_, std::min<std::size_t>(left, header_size + 1)) == header::documented;
     }
     /// True when the shadow stands where an earlier packet was accepted.
     constexpr bool is_boundary(const window& w) noexcept {

@@ -16,6 +16,33 @@ constexpr bool is_intact(const window& w, std::size_t at, std::size_t end) noexc
     return size <= end - at && w.xor_of(at, size) == 0;
 }
 
+/// True when an intact packet that can hold nothing but numbers lies wholly behind the first byte of `whole`.
+constexpr bool holds_short_packet(std::span<const std::uint8_t> whole) noexcept {
+    const window w({}, whole);
+    for (std::size_t q = 1; q + min_packet <= whole.size(); ++q) {
+        if (!is_intact(w, q, whole.size())) continue;
+        bool short_one = false;
+        messages::at(index_of(w[q + 1], w[q + 2], w[q + 3]), [&]<class M>() { short_one = !carries_bytes<M>; });
+        if (short_one) return true;
+    }
+    return false;
+}
+
+/// True when an intact packet with a documented header is more than a chance hit: a text must be plain and hold no
+/// packet, a rejected packet must agree with its own CRC. Such a packet speaks for the phase it was found in.
+constexpr bool is_landmark(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
+    if (known.fixed_len[index] != variable) return true;
+    bool evident = false;
+    messages::at(index, [&]<class M>() {
+        if constexpr (!M::layout.fixed) {
+            M m;
+            evident = !load_body(whole.subspan(header_size, whole.size() - min_packet), m) && m.evident();
+            if constexpr (requires { m.description; }) evident = evident && !holds_short_packet(whole);
+        }
+    });
+    return evident;
+}
+
 /// True when the intact packet at `at` is a landmark.
 constexpr bool is_landmark_at(const window& w, std::size_t at) noexcept {
     const std::size_t index = index_of(w[at + 1], w[at + 2], w[at + 3]);

@@ -1,0 +1,77 @@
+// Traffic whose shifted phases are intact packets too, if not documented ones. No decoder may stay in such a phase.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "trama/daisy/format.hpp"
+
+namespace {
+
+using namespace trama;
+using bytes = std::vector<std::uint8_t>;
+
+bytes operator*(const bytes& one, std::size_t times) {
+    bytes all;
+    for (std::size_t i = 0; i != times; ++i) all.insert(all.end(), one.begin(), one.end());
+    return all;
+}
+bytes operator+(bytes a, const bytes& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+bytes from(const bytes& all, std::size_t begin) { return {all.begin() + static_cast<std::ptrdiff_t>(begin), all.end()}; }
+
+/// Offsets of the packets of `size` bytes and known message that the decoder delivers.
+std::vector<std::uint64_t> delivered(const bytes& stream, std::size_t size) {
+    std::vector<std::uint64_t> offsets;
+    daisy::decoder decoder;
+    const auto note = [&](const daisy::event& e) { if (e && e.length == size) offsets.push_back(e.offset); };
+    read<daisy::format>(decoder, stream, note);
+    decoder.finish();
+    read<daisy::format>(decoder, {}, note);
+    return offsets;
+}
+
+TEST(daisy_false_phase, texts_that_could_be_anything_are_found_again_after_lost_bytes) {
+    const bytes text{0x0f, 0x00, 0x10, 0x81, 0x80, 0x0f, 0x90, 0x00, 0x7f, 0x61, 0x62, 0x63, 0x64, 0x65, 0x66, 0xf9};
+    const bytes stream = text * 20 + from(text, 5) + text * 1000;
+    EXPECT_GE(delivered(stream, text.size()).size(), 20U + 1000U - 2U);
+}
+
+TEST(daisy_false_phase, trust_earned_before_an_unseen_loss_does_not_hold_the_wrong_phase) {
+    bytes text{127, 0x00, 0x11, 0x81};  // a plain INIT reply whose own text reads as an undocumented packet
+    const bytes begin{'~', 'p', 'p', 'p', 'p'};
+    text = text + begin;
+    while (text.size() != 127) text.push_back('x');
+    text.push_back(xor_of(text));
+    const bytes stream = text * 40 + from(text, 4) + text * 40;
+    const auto found = delivered(stream, text.size());
+    const std::uint64_t fault = 40 * text.size();
+    std::size_t late = 0;
+    for (const std::uint64_t offset : found) late += offset >= fault + 256 ? 1 : 0;
+    EXPECT_GE(late, 38U) << "all that begin 256 bytes or more after the fault";
+}
+
+TEST(daisy_false_phase, a_text_does_not_swallow_the_packets_that_it_seems_to_hold) {
+    const bytes odd{0x09, 0x20, 0x20, 0x7e, 0x20, 0xf9, 0x00, 0x10, 0x81, 0x3f};
+    const bytes servo{0x09, 0x20, 0x09, 0x41, 0x09, 0x09, 0x09, 0x09, 0x21, 0x40};
+    ASSERT_EQ(xor_of(servo), 0);
+    const bytes stream = from((odd + servo * 24) * 200, 5);
+    EXPECT_GE(delivered(stream, servo.size()).size(), 200U * 24U - 26U);
+}
+
+TEST(daisy_false_phase, a_packet_inside_an_undocumented_one_is_an_accident_if_landmarks_came_before) {
+    const bytes ping{0x04, 0x11, 0x00, 0x03, 0x16};
+    bytes tunnel{14, 0x11, 0x00, 0x7a, 1, 2, 3, 4};
+    tunnel = tunnel + ping;
+    tunnel.push_back(9);
+    tunnel.push_back(xor_of(tunnel));
+    daisy::decoder decoder;
+    std::vector<errc> codes;
+    read<daisy::format>(decoder, (ping + ping + tunnel + ping) * 3, [&](const daisy::event& e) { codes.push_back(e.code); });
+    const std::vector<errc> expected{errc::ok, errc::ok, errc::unknown_message, errc::ok};
+    ASSERT_EQ(codes.size(), 12U);
+    for (std::size_t i = 0; i != codes.size(); ++i) EXPECT_EQ(codes[i], expected[i % 4]) << i;
+}
+
+}  // namespace
