@@ -1,0 +1,198 @@
+#pragma once
+
+#include "trama/can/master_event.hpp"
+
+namespace trama::can {
+
+/// A master: sends requests one at a time, waits for each reply with a time-out, asks again, and polls its nodes' sensors
+/// once a second. [can §1..§5]
+///
+/// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
+/// node answers would come between the frames of the reply [D6, D7].
+template <std::size_t Nodes = 8, std::size_t Requests = 16>
+class master {
+public:
+    /// `id` is the master's identifier: `central_master`, `master_1`, `master_2`. A master whose `confirms_clock` is set
+    /// echoes the central master's `set_clock` to everyone; let one only do so, echoes of several would mix.
+    constexpr explicit master(std::uint32_t id, const timing& t = {}, bool confirms_clock = false) noexcept
+        : id_(id), timing_(t), confirms_clock_(confirms_clock), reassembler_({id, central_master}, t.partial), calendar_(t.second) {}
+
+    /// Polls `node` once a second from now on. False when there are `Nodes` already.
+    constexpr bool poll(std::uint8_t node) noexcept {
+        if (count_ == Nodes) return false;
+        nodes_[count_++].node = node;
+        return true;
+    }
+    /// Queues `m` under the next message_id, which it returns. `buffer_too_small` when `Requests` wait already;
+    /// `out_of_range` with the field.
+    template <request_message M>
+    constexpr result<std::uint8_t> request(M m) noexcept {
+        if (waiting_ == Requests) return errc::buffer_too_small;
+        m.message_id = next_id_;
+        if (!is_valid(m)) return refusal(m);
+        pending_request& r = requests_[waiting_++];
+        r = {};
+        messages::each([&, i = std::uint8_t{0}]<class Other>() mutable {
+            if constexpr (std::is_same_v<Other, M>) r.index = i;
+            ++i;
+        });
+        r.size = M::layout.size;
+        store_body(r.octets.data(), m);
+        next_id_ = next_id_ == 200 ? std::uint8_t{0} : static_cast<std::uint8_t>(next_id_ + 1);
+        return m.message_id;
+    }
+    /// Sets everyone's clock; the central master's. Answered by one echo. [can §5; D11]
+    constexpr result<std::uint8_t> set_every_clock(const moment& t) noexcept {
+        return request(set_clock{global_node, 0, t.year, t.month, t.day, t.hour, t.minute, t.second});
+    }
+
+    /// The frame to be sent next, null when there is none.
+    constexpr const frame* front() const noexcept { return queue_.front(); }
+    /// That frame has left; the time-out counts from the last one of a request.
+    constexpr void sent(std::uint64_t now) noexcept {
+        queue_.sent();
+        line_.sent(1);
+        since_ = now;
+    }
+    /// Takes frames from the front of `in` and reports one thing that happened, `need_more` when there is nothing left.
+    constexpr master_event next(std::span<const frame>& in, std::uint64_t now) noexcept {
+        if (in.empty()) reassembler_.tick(now);
+        const event got = reassembler_.next(in);
+        master_event e{};
+        if (got.code == errc::ok) {
+            line_.received(got.length, now);
+            e.packet = got.packet;
+            take(got.packet, now, e);
+        } else if (got.code != errc::need_more) {
+            e.news = master_news::fault;
+            e.code = got.code;
+            e.skipped = got.length;
+            line_.lost_step(got.length);
+        } else {
+            run(now, e);
+        }
+        return e;
+    }
+
+    /// Requests that wait, the one under way included.
+    constexpr std::size_t waiting() const noexcept { return waiting_; }
+    constexpr const can::calendar& clock() const noexcept { return calendar_; }
+    /// Of the bus as this master sees it, in frames.
+    constexpr const link_quality& quality() const noexcept { return line_; }
+    /// Of one polled node, in frames; null when it is not polled.
+    constexpr const link_quality* quality(std::uint8_t node) const noexcept {
+        for (std::size_t i = 0; i != count_; ++i)
+            if (nodes_[i].node == node) return &nodes_[i].quality;
+        return nullptr;
+    }
+
+private:
+    constexpr polled_node* find(std::uint8_t node) noexcept {
+        for (std::size_t i = 0; i != count_; ++i)
+            if (nodes_[i].node == node) return &nodes_[i];
+        return nullptr;
+    }
+
+    constexpr void take(const packet& p, std::uint64_t now, master_event& e) noexcept {
+        e.news = master_news::stray;
+        if (id_ != central_master && p.envelope().id == central_master) {
+            hear_clock(p, now, e);
+            return;
+        }
+        if (!under_way_ || p.envelope().id != id_ || !requests_[0].is_answered_by(p)) return;
+        const bool right = requests_[0].is_rightly_answered_by(p);
+        const std::uint64_t took = now > since_ ? now - since_ : 0;
+        if (polled_node* n = find(requests_[0].node())) {
+            n->quality.received(known.shapes[p.index()].frames, now);
+            if (right) n->quality.round_trip.add(took);
+        }
+        if (!right) {
+            e.wrong = true;
+            ask_again(e);
+            return;
+        }
+        line_.round_trip.add(took);
+        e.news = master_news::answered;
+        finish(e);
+    }
+    constexpr void hear_clock(const packet& p, std::uint64_t now, master_event& e) noexcept {
+        const auto m = decode<set_clock>(p);
+        if (!m || m->node != global_node || !is_valid(*m)) return;
+        calendar_.set({m->year, m->month, m->day, m->hour, m->minute, m->second}, now);
+        e.news = master_news::clock;
+        if (confirms_clock_) (void)queue_.push_message({central_master}, *m);
+    }
+
+    /// What time brings: the poll, the next request, a time-out.
+    constexpr void run(std::uint64_t now, master_event& e) noexcept {
+        if (count_ != 0 && now >= next_poll_ && Requests - waiting_ >= count_) {
+            for (std::size_t i = 0; i != count_; ++i) (void)request(read_sensors{nodes_[i].node, 0});
+            next_poll_ = now - next_poll_ < timing_.second ? next_poll_ + timing_.second : now + timing_.second;
+        }
+        if (!under_way_ && waiting_ != 0) {
+            under_way_ = true;
+            transmit();
+            since_ = now;
+        }
+        const bool late = under_way_ && queue_.size() == 0 && now > since_ && now - since_ > timing_.timeout;
+        if (!late) return;
+        ++line_.timeouts;
+        if (polled_node* n = find(requests_[0].node())) ++n->quality.timeouts;
+        ask_again(e);
+    }
+    /// The request under way goes to the queue, attempt by attempt.
+    constexpr void transmit() noexcept {
+        pending_request& r = requests_[0];
+        ++r.attempts;
+        std::array<frame, max_frames> frames{};
+        const auto& shape = known.shapes[r.index];
+        std::size_t at = 0;
+        for (std::size_t i = 0; i != shape.frames; at += shape.lengths[i++]) {
+            frames[i].id = id_;
+            frames[i].length = shape.lengths[i];
+            copy_bytes(frames[i].data.data(), r.octets.data() + at, shape.lengths[i]);
+        }
+        (void)queue_.push(std::span<const frame>(frames).first(shape.frames));
+        if (polled_node* n = find(r.node())) n->quality.sent(shape.frames);
+    }
+    constexpr void ask_again(master_event& e) noexcept {
+        polled_node* n = find(requests_[0].node());
+        const bool again = requests_[0].attempts < timing_.attempts;
+        ++(again ? line_.retries : line_.failures);
+        if (n != nullptr) ++(again ? n->quality.retries : n->quality.failures);
+        e.news = again ? master_news::asks_again : master_news::failed;
+        if (again) transmit();
+        about(e);
+        if (!again) finish(e);
+    }
+    constexpr void about(master_event& e) const noexcept {
+        e.node = requests_[0].node();
+        e.message_id = requests_[0].message_id();
+        e.letter = requests_[0].letter();
+        e.attempt = requests_[0].attempts;
+    }
+    constexpr void finish(master_event& e) noexcept {
+        about(e);
+        for (std::size_t i = 1; i < waiting_; ++i) requests_[i - 1] = requests_[i];
+        --waiting_;
+        under_way_ = false;
+    }
+
+    std::uint32_t id_;
+    timing timing_;
+    bool confirms_clock_;
+    bool under_way_ = false;      ///< `requests_[0]` has been sent and not been answered.
+    std::uint8_t next_id_ = 0;    ///< 0..200.
+    std::uint64_t since_ = 0;     ///< When the latest frame left.
+    std::uint64_t next_poll_ = 0;
+    basic_reassembler<2> reassembler_;
+    transmit_queue<2> queue_{};
+    std::size_t waiting_ = 0;
+    std::array<pending_request, Requests> requests_{};
+    std::size_t count_ = 0;
+    std::array<polled_node, Nodes> nodes_{};
+    can::calendar calendar_;
+    link_quality line_{};
+};
+
+}  // namespace trama::can

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "trama/can/schedule.hpp"
+#include "trama/can/transmit_queue.hpp"
+#include "trama/core/link_quality.hpp"
+
+namespace trama::can {
+
+/// How patient a master is, in the caller's unit of time.
+struct timing {
+    std::uint64_t second = 1000;   ///< One second in that unit.
+    std::uint64_t timeout = 200;   ///< From the last frame of a request to the moment when it is sent again.
+    unsigned attempts = 4;         ///< How often a request is sent in all.
+    std::uint64_t partial = 100;   ///< Age at which a partial message is given up; shorter than `timeout`.
+};
+
+/// What happened at a master.
+enum class master_news : std::uint8_t {
+    need_more,   ///< Nothing; call again with more frames or later.
+    answered,    ///< The reply to a request, in `packet`: sensor_readings, actuator_state, or the echo of F, M or C.
+    asks_again,  ///< No reply in time, or a wrong one: the request is sent once more.
+    failed,      ///< No right reply after all attempts.
+    clock,       ///< The central master has set everyone's clock; `master::calendar` goes by it.
+    stray,       ///< A message that is no reply to the request under way, such as a late reply; in `packet`.
+    fault,       ///< Frames that make no message: `code`, `skipped`.
+};
+
+/// What `master::next` reports. Views live until the master's next call.
+struct master_event {
+    master_news news = master_news::need_more;
+    can::packet packet{};          ///< Where a message came.
+    std::uint8_t node = 0;         ///< Of the request that it is about.
+    std::uint8_t message_id = 0;   ///< Likewise.
+    char letter = 0;               ///< Likewise: F, R, A, M or C.
+    unsigned attempt = 0;          ///< How often that request has been sent.
+    bool wrong = false;            ///< Of asks_again and failed: the latest reply was a wrong one, not a missing one.
+    errc code = errc::ok;          ///< Of fault.
+    std::uint64_t skipped = 0;     ///< Of fault: frames without use.
+};
+
+/// Whether `M` is something that a master asks.
+template <class M>
+concept request_message = std::is_same_v<M, define_function> || std::is_same_v<M, read_sensors> || std::is_same_v<M, read_actuator> ||
+                          std::is_same_v<M, set_actuator> || std::is_same_v<M, set_clock>;
+
+/// A node whose sensors are read once a second.
+struct polled_node {
+    std::uint8_t node = 0;
+    link_quality quality{};  ///< In frames.
+};
+
+/// A request as a master keeps it: the frames' data run together.
+struct pending_request {
+    std::uint8_t index = 0;     ///< Place in `messages`.
+    std::uint8_t size = 0;
+    unsigned attempts = 0;
+    std::array<std::uint8_t, 8 * max_frames> octets{};
+
+    constexpr std::uint8_t node() const noexcept { return octets[0]; }
+    constexpr std::uint8_t message_id() const noexcept { return octets[1]; }
+    constexpr char letter() const noexcept { return static_cast<char>(octets[2]); }
+    /// True for a packet with the same node, number and letter: a reply, though it may be a wrong one.
+    constexpr bool is_answered_by(const packet& p) const noexcept {
+        const auto body = p.body();
+        return body.size() >= min_first_length && body[0] == octets[0] && body[1] == octets[1] && body[2] == octets[2];
+    }
+    /// True for the right reply. It begins with the request's bytes: an echo is the same, the others go on behind them.
+    constexpr bool is_rightly_answered_by(const packet& p) const noexcept {
+        const auto body = p.body();
+        const bool echo = letter() != 'R' && letter() != 'A';
+        if (echo ? body.size() != size : body.size() <= size) return false;
+        for (std::size_t i = 0; i != size; ++i)
+            if (body[i] != octets[i]) return false;
+        bool valid = false;
+        (void)visit<format>(p, [&](const auto& m) { valid = is_valid(m); });
+        return valid;
+    }
+};
+
+}  // namespace trama::can
