@@ -12,11 +12,22 @@ inline constexpr std::size_t max_payload = 206;                ///< Of a cart_st
 inline constexpr std::size_t max_record = max_payload + 2;     ///< With STX and ETX.
 inline constexpr std::size_t unknown = messages::count;        ///< The index of a record that the document lacks.
 
+/// The four bytes at `p`, first one lowest: STX and the type as it is written.
+constexpr std::uint32_t start_of(const std::uint8_t* p) noexcept { return load_le<std::uint32_t>(p); }
+
 /// Facts about each record that the decoder needs, derived from the message list.
 struct catalogue {
-    static constexpr std::size_t types = 256;
+    static constexpr std::size_t types = 256, places = 512;
+    struct start {
+        std::uint32_t key = 0;      ///< STX and a type as it may be written; 0 where there is none.
+        std::uint8_t index = 0;     ///< Message of that type.
+        std::uint8_t payload = 0;   ///< Characters between STX and ETX.
+        std::uint16_t type = 0;
+    };
     std::array<std::uint8_t, types> index{};          ///< Message by order type.
     std::array<std::uint8_t, unknown + 1> payload{};  ///< Characters between STX and ETX; 0 of an unknown record.
+    std::uint32_t factor = 0x9E3779B1;                ///< Makes `place` collision-free.
+    std::array<start, places> starts{};               ///< Every way to write a known type, at its `place`.
 
     consteval catalogue() {
         for (auto& i : index) i = unknown;
@@ -25,6 +36,36 @@ struct catalogue {
             payload[at] = type_size + M::layout.size;
             index[static_cast<std::size_t>(M::key)] = static_cast<std::uint8_t>(at++);
         });
+        while (!place_all()) factor += 2;
+    }
+    constexpr std::size_t place(std::uint32_t key) const noexcept { return key * factor >> 23; }
+    constexpr const start& find(std::uint32_t key) const noexcept { return starts[place(key)]; }
+
+private:
+    /// Writes each known type with leading zeros, with spaces on either side, and with both.
+    constexpr bool place_all() noexcept {
+        starts = {};
+        for (std::size_t type = 0; type != types; ++type) {
+            if (index[type] == unknown) continue;
+            for (std::size_t from = 0; from != type_size; ++from)
+                for (std::size_t to = from + 1; to <= type_size; ++to)
+                    if (!place_one(type, from, to)) return false;
+        }
+        return true;
+    }
+    /// The digits of `type` in the columns from `from` to `to`, as far as they fit.
+    constexpr bool place_one(std::size_t type, std::size_t from, std::size_t to) noexcept {
+        std::uint32_t key = 0x20202000U | stx;
+        std::size_t rest = type;
+        for (std::size_t column = to; column-- != from; rest /= 10) {
+            const auto shift = static_cast<unsigned>(8 * (column + 1));
+            key = (key & ~(std::uint32_t{0xFF} << shift)) | static_cast<std::uint32_t>('0' + rest % 10) << shift;
+        }
+        start& s = starts[place(key)];
+        if (rest != 0) return true;
+        if (s.key != 0) return false;
+        s = {key, index[type], payload[index[type]], static_cast<std::uint16_t>(type)};
+        return true;
     }
 };
 inline constexpr catalogue known{};
