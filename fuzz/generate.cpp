@@ -27,7 +27,7 @@ octets from_hex(std::string_view digits) {
 }
 
 /// Octets as a dictionary entry.
-std::string quoted(std::string_view token) {
+std::string dictionary_entry(std::string_view token) {
     std::string out = "\"";
     for (const char c : token) {
         char text[8];
@@ -141,8 +141,8 @@ template <wire_format F>
 void add_dictionaries(files& all) {
     const std::string format{F::name};
     std::string wire = "# Made by fuzz_generate from the schema: how each message begins.\n";
-    for (const auto& token : headers<F>()) wire += quoted(token);
-    if constexpr (std::is_same_v<F, gateway::format>) wire += quoted("\x03") + quoted("\x03\x02") + quoted("     ") + quoted("  0");
+    for (const auto& token : headers<F>()) wire += dictionary_entry(token);
+    if constexpr (std::is_same_v<F, gateway::format>) wire += dictionary_entry("\x03") + dictionary_entry("\x03\x02") + dictionary_entry("     ") + dictionary_entry("  0");
     all["dict/" + format + ".dict"] = wire;
 
     std::set<std::string> words{"{\"protocol\":\"" + format + "\"", "\"message\":\"", "\"fields\":{", "\"violations\":[", "\"error\":\"", "\\u00e9", "\\u0000", "\\ud800", "null", "true", "-1", "1e3", "0.5", "}}"};
@@ -153,7 +153,7 @@ void add_dictionaries(files& all) {
     if constexpr (std::is_same_v<F, daisy::format>) words.insert({"\"destination\":", "\"source\":", "\"kind\":\"response\"", "\"kind\":\"request\"", "\"offset\":", "\"length\":"});
     if constexpr (std::is_same_v<F, can::format>) words.insert({"\"id\":129", "\"line\":", "\"frames\":", "(0.000000) can0 081#", "##1", "#R"});
     std::string json = "# Made by fuzz_generate from the schema: the words of its JSON.\n";
-    for (const auto& word : words) json += quoted(word);
+    for (const auto& word : words) json += dictionary_entry(word);
     all["dict/" + format + "_text.dict"] = json;
 }
 
