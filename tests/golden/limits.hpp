@@ -49,6 +49,7 @@ template <wire_format F, class M>
 constexpr bool unwritable(const typename F::envelope& e, const M& m, field_ref field) {
     properties::page<F> out;
     const error expected{errc::out_of_range, field};
+    if (is_valid(m) || validate(m).empty() || validate(m)[0].field != field) return false;
     return F::encode(e, m, out.all).error() == expected && F::encode_unchecked(e, m, out.all).error() == expected && out.untouched_from(0);
 }
 
