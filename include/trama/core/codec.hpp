@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "trama/core/column_map.hpp"
 #include "trama/core/layout.hpp"
 
 namespace trama {
@@ -49,12 +50,64 @@ template <class W, class V>
     else W::store(p, v);
 }
 
-/// Reads the fields of a fixed layout. Each returns its badness as a word and they are OR-ed: no branch on the way.
+/// The wire type of field `I` of `M`.
+template <class M, std::size_t I>
+using wire_type_of = typename std::remove_cvref_t<decltype(field_of<M, I>)>::wire_type;
+
+/// True for a number that is read with a column_map of its message's first 64 columns.
+template <class M, std::size_t I>
+concept mapped_field = requires { wire_type_of<M, I>::digits_only; } && M::layout.offsets[I] + wire_type_of<M, I>::size <= 64 && wire_type_of<M, I>::size <= 7;
+
+/// The columns of `M` that a column_map describes; none where there are too few numbers for it to pay.
 template <has_layout M>
-constexpr std::uint64_t load_fields(const std::uint8_t* p, M& m) noexcept {
+inline constexpr std::uint64_t mapped_columns = [] {
+    std::uint64_t columns = 0;
+    std::size_t numbers = 0;
+    if (M::layout.fixed && M::layout.size >= 16)
+        each_index<M>([&]<std::size_t I>() {
+            if constexpr (mapped_field<M, I>) {
+                columns |= ((std::uint64_t{1} << wire_type_of<M, I>::size) - 1) << M::layout.offsets[I];
+                ++numbers;
+            }
+        });
+    return numbers >= 3 ? columns : 0;
+}();
+
+/// Reads the fields of a fixed layout, the numbers of its first 64 columns together.
+template <has_layout M>
+constexpr std::uint64_t load_mapped_fields(const std::uint8_t* p, M& m) noexcept {
+    const column_map map = map_columns<M::layout.size, mapped_columns<M>>(p);
+    std::uint64_t digits_only = 0, bad = 0, odd = 0;
+    each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {
+        using wire_type = wire_type_of<M, I>;
+        constexpr std::size_t at = M::layout.offsets[I];
+        auto& member = m.*field_of<M, I>.member;
+        if constexpr (mapped_field<M, I>) {
+            typename wire_type::value raw{};
+            odd |= wire_type::template load_mapped<M::layout.size - at>(p + at, column_map{map.digits >> at, map.others >> at}, raw);
+            member = static_cast<std::remove_cvref_t<decltype(member)>>(raw);
+            digits_only |= wire_type::digits_only << at;
+        } else {
+            bad |= load_value<wire_type>(p + at, member);
+        }
+    });
+    return (odd & 1) | bad | (map.others & digits_only);
+}
+
+/// Reads the fields of a fixed layout one by one: the reference. Each returns its badness as a word and they are OR-ed:
+/// no branch on the way.
+template <has_layout M>
+constexpr std::uint64_t load_each_field(const std::uint8_t* p, M& m) noexcept {
     return [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
         return (std::uint64_t{0} | ... | load_value<typename decltype(field_of<M, I>)::wire_type>(p + M::layout.offsets[I], m.*field_of<M, I>.member));
     }(std::make_index_sequence<M::layout.count>{});
+}
+
+/// Reads the fields of a fixed layout. Nonzero when any is malformed.
+template <has_layout M>
+constexpr std::uint64_t load_fields(const std::uint8_t* p, M& m) noexcept {
+    if constexpr (mapped_columns<M> != 0) return load_mapped_fields(p, m);
+    else return load_each_field(p, m);
 }
 
 /// Writes the fields of a fixed layout.

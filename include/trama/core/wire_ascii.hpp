@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trama/core/decimal.hpp"
+#include "trama/core/column_map.hpp"
 #include "trama/core/wire.hpp"
 
 /// Wire types of fixed-width ASCII records. `decimal` marks those that an encoder may justify.
@@ -15,9 +15,16 @@ struct dec {
     static constexpr bool decimal = true;
     static constexpr std::int64_t low = 0, high = [] { std::int64_t m = 0; for (std::size_t i = 0; i != Columns; ++i) m = m * 10 + 9; return m; }();
     static constexpr std::string_view type_name = "decimal";
+    static constexpr std::uint64_t digits_only = Columns <= 7 ? (1U << Columns) - 1 : 0;  ///< Columns that hold digits and spaces alone.
 
     static constexpr bool carries(std::int64_t v) noexcept { return low <= v && v <= high; }
     static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_columns<Columns>(p, out); }
+    /// As `load` where `map` describes the columns from bit 0 on, but columns that are neither digits nor spaces are left
+    /// to the caller. `Readable` columns may be read.
+    template <std::size_t Readable>
+    [[gnu::always_inline]] static constexpr std::uint64_t load_mapped(const std::uint8_t* p, const column_map& map, value& out) noexcept {
+        return read_mapped<Columns, Readable>(p, map.digits, out);
+    }
     static constexpr void store(std::uint8_t* p, value v) noexcept { write_columns(p, Columns, v); }
 };
 
@@ -27,9 +34,19 @@ struct signed_dec : dec<Columns> {
     using value = std::int32_t;
     static constexpr std::int64_t low = -(dec<Columns>::high / 10);
     static constexpr std::string_view type_name = "signed decimal";
+    static constexpr std::uint64_t digits_only = 0;
 
     static constexpr bool carries(std::int64_t v) noexcept { return low <= v && v <= dec<Columns>::high; }
     static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_signed_columns<Columns>(p, out); }
+    /// As of `dec`, but nothing is left to the caller.
+    template <std::size_t Readable>
+    [[gnu::always_inline]] static constexpr std::uint64_t load_mapped(const std::uint8_t* p, const column_map& map, value& out) noexcept {
+        if ((map.others & ((1U << Columns) - 1)) != 0) [[unlikely]] return load(p, out) != 0 ? 1 : 0;
+        std::uint32_t magnitude = 0;
+        const std::uint32_t bad = read_mapped<Columns, Readable>(p, map.digits, magnitude);
+        out = static_cast<value>(magnitude);
+        return bad;
+    }
     static constexpr void store(std::uint8_t* p, value v) noexcept { write_signed_columns(p, Columns, v); }
 };
 
