@@ -24,7 +24,7 @@ public:
     /// A message of that place in `F::messages` was decoded with its type.
     static void note(std::size_t index) {
         reached_[index] = true;
-        current_census() = {F::messages::count, [](std::size_t i) { return reached_[i]; }, name_of};
+        current_census() = {F::messages::count, [](std::size_t i) -> bool { return reached_[i]; }, name_of};
     }
     static void note(const record& r) {
         if (r.code != errc::ok || reached_[r.index]) return;

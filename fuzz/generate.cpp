@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "mutate.hpp"
 #include "text.hpp"
 
 namespace {

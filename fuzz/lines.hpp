@@ -1,12 +1,14 @@
 #pragma once
 // The command-line tool's lines, made in memory: what `trama decode` prints and what `trama encode` reads.
+#include <cstring>
+#include <optional>
 #include <string>
 
 #include "formats/can.hpp"
 #include "formats/daisy.hpp"
 #include "formats/gateway.hpp"
-#include "mutate.hpp"
 #include "reference/reference.hpp"
+#include "samples.hpp"
 #include "tool/candump.hpp"
 #include "tool/encode_line.hpp"
 #include "tool/event_line.hpp"

@@ -1,17 +1,10 @@
 #pragma once
 // Mutations that know the schema: whole messages come, go, change places, or get one value changed with LEN, CRC and padding
 // mended. One in eight of them is broken afterwards. The rest is libFuzzer's own.
-#include "harness.hpp"
-
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+#include "random_message.hpp"
+#include "samples.hpp"
 
 namespace trama::fuzz {
-
-/// With TRAMA_FUZZ_PLAIN in the environment only the engine's own mutations are used: to show what random octets reach.
-inline bool plain_octets() {
-    static const bool plain = std::getenv("TRAMA_FUZZ_PLAIN") != nullptr;
-    return plain;
-}
 
 /// Where a known message lies in the input, in octets.
 struct place {
@@ -33,7 +26,6 @@ std::vector<place> places_of(std::span<const std::uint8_t> input) {
     return places;
 }
 
-/// A message on the wire; now and then with a value that the document does not allow.
 template <wire_format F>
 octets random_wire(dice& d) {
     octets out;
@@ -47,6 +39,24 @@ octets random_wire(dice& d) {
         if (size) out = traits<F>::octets_from(std::span<const typename F::unit>(wire).first(*size));
     });
     return out;
+}
+
+template <wire_format F>
+sample<F> random_sample(dice& d) {
+    sample<F> s;
+    while (s.units.empty())
+        F::messages::at(d.below(F::messages::count), [&]<class M>() {
+            arena memory;
+            const M m = random_message<M>(d, memory);
+            if (!traits<F>::evident(m)) return;
+            std::array<typename F::unit, F::max_units> wire{};
+            const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
+            require(bool(size), "a valid message encodes");
+            s.units.assign(wire.begin(), wire.begin() + static_cast<std::ptrdiff_t>(*size));
+            s.body.resize(body_size(m));
+            store_body(s.body.data(), m);
+        });
+    return s;
 }
 
 /// The message in `piece` with one value changed and everything that depends on it mended; empty when it is none.

@@ -1,6 +1,7 @@
 #pragma once
 // After garbage, or after a mutation of good traffic, intact messages must come through again.
-#include "mutate.hpp"
+#include "samples.hpp"
+#include "transcript.hpp"
 
 namespace trama::fuzz {
 
@@ -15,20 +16,12 @@ struct traffic {
 template <wire_format F>
 traffic<F> clean_traffic(dice& d, std::size_t count) {
     traffic<F> t;
-    while (t.begins.size() != count)
-        F::messages::at(d.below(F::messages::count), [&]<class M>() {
-            arena memory;
-            const M m = random_message<M>(d, memory);
-            if (!traits<F>::evident(m)) return;
-            std::array<typename F::unit, F::max_units> wire{};
-            const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
-            require(bool(size), "a valid message encodes");
-            octets body(body_size(m));
-            store_body(body.data(), m);
-            t.begins.push_back(t.units.size());
-            t.bodies.push_back(std::move(body));
-            t.units.insert(t.units.end(), wire.begin(), wire.begin() + static_cast<std::ptrdiff_t>(*size));
-        });
+    while (t.begins.size() != count) {
+        auto one = random_sample<F>(d);
+        t.begins.push_back(t.units.size());
+        t.bodies.push_back(std::move(one.body));
+        t.units.insert(t.units.end(), one.units.begin(), one.units.end());
+    }
     return t;
 }
 

@@ -1,4 +1,6 @@
+#include "formats/can.hpp"
 #include "differential.hpp"
+#include "samples.hpp"
 using format = trama::can::format;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return trama::fuzz::differential<format>({data, size}); }
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed) { return trama::fuzz::mutate<format>(data, size, max, seed); }
