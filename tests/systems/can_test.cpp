@@ -351,7 +351,7 @@ TEST(can_bus, reaches_its_goals_though_frames_are_lost_doubled_and_delayed) {
     for (unsigned seed = 1; seed != 30; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        can::timing t{1000, 30, 60, 12};
+        can::timing t{1000, 1000, 30, 60, 12};
         can::master<4, 8> m(can::master_1, t);
         std::vector<node> nodes{node(1, can::master_1, all_four, t), node(2, can::master_1, all_four, t)};
         std::vector<device> devices(2);

@@ -127,7 +127,7 @@ private:
     constexpr void run(std::uint64_t now, master_event& e) noexcept {
         if (count_ != 0 && now >= next_poll_ && Requests - waiting_ >= count_) {
             for (std::size_t i = 0; i != count_; ++i) (void)request(read_sensors{nodes_[i].node, 0});
-            next_poll_ = now - next_poll_ < timing_.second ? next_poll_ + timing_.second : now + timing_.second;
+            next_poll_ = now - next_poll_ < timing_.poll ? next_poll_ + timing_.poll : now + timing_.poll;
         }
         if (!under_way_ && waiting_ != 0) {
             under_way_ = true;

@@ -8,7 +8,8 @@ namespace trama::can {
 
 /// How patient a master is, in the caller's unit of time.
 struct timing {
-    std::uint64_t second = 1000;   ///< One second in that unit.
+    std::uint64_t second = 1000;   ///< One second of the calendar in that unit, not 0.
+    std::uint64_t poll = 1000;     ///< From one reading of the sensors to the next: one second. [can §2]
     std::uint64_t timeout = 200;   ///< From the last frame of a request to the moment when it is sent again.
     unsigned attempts = 4;         ///< How often a request is sent in all.
     std::uint64_t partial = 100;   ///< Age at which a partial message is given up; shorter than `timeout`.

@@ -16,7 +16,7 @@ public:
     static constexpr std::size_t max_output = 2 * max_packet;  ///< A reply, and a broadcast passed on.
 
     constexpr explicit controller(const timing& t = {}, address self = board(0, 0)) noexcept
-        : self_(self), receiver_(t.idle), requests_(t), passed_(t.orphan != 0 ? t.orphan : t.timeout), alarms_(t.timeout) {}
+        : self_(self), receiver_(t.idle), requests_(t), passed_(t.orphan != 0 ? t.orphan : t.timeout), alarms_(t.timeout * t.attempts) {}
 
     /// Sends `m` to a board or, by id 15, to a group or everyone: the bytes in `out`. `buffer_too_small` also when there
     /// is no place for it yet: `InFlight` requests wait, or one to the same address by the same command waits or settles.

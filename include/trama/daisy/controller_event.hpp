@@ -30,7 +30,7 @@ struct controller_event {
     address peer{};                ///< Who it is about: the sender, or the addressee of a request without reply.
     std::uint8_t command = 0;      ///< Of the request that it is about, where there is one.
     unsigned attempt = 0;          ///< How often that request has been sent.
-    bool again = false;            ///< Of alarm: the same one came within a time-out; its first reply seems to be lost.
+    bool again = false;            ///< Of alarm: the same one came within the time of all attempts; its first reply seems to be lost.
     errc code = errc::ok;          ///< Of fault.
     std::uint64_t skipped = 0;     ///< Of fault: bytes without use.
     std::size_t written = 0;       ///< Bytes in `out` to be sent to the next member.

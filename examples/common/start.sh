@@ -1,0 +1,12 @@
+# Sourced by each example's run: builds the program NAME of examples/NAME and starts it with the arguments behind it.
+#
+#   here=$PWD; source examples/common/start.sh NAME "$@"
+name=$1
+shift
+need g++ cmake ninja-build
+echo "Building $name in build/examples" >&2
+quietly cmake -S . -B build/examples -G Ninja -DTRAMA_BUILD_EXAMPLES=ON -DTRAMA_BUILD_TOOL=OFF || die "it cannot be configured"
+quietly cmake --build build/examples -j "$jobs" --target "$name" || die "the build failed"
+program=$top/build/examples/examples/$name/$name
+cd "$here" || exit
+exec "$program" "$@"
