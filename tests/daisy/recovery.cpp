@@ -77,6 +77,41 @@ TEST_P(daisy_schedule, forgets_any_single_byte_fault_wherever_it_joined) {
     print();
 }
 
+bool landmark(const octets& p) { return daisy::recovery::is_landmark(p, daisy::index_of(p[1], p[2], p[3])); }
+
+TEST(daisy_recovery, a_text_is_a_landmark_when_it_is_plain) {
+    EXPECT_TRUE(landmark(sealed(0, 0x11, 0x81, {})));
+    EXPECT_TRUE(landmark(sealed(0, 0x11, 0x82, {'a', '\t', '\r', '\n', 0x20, 0x7E})));
+    for (const unsigned c : {0x00U, 0x08U, 0x0BU, 0x0CU, 0x0EU, 0x1FU, 0x7FU, 0x80U, 0xFFU}) EXPECT_FALSE(landmark(sealed(0, 0x11, 0x81, {'a', static_cast<std::uint8_t>(c)}))) << c;
+}
+
+TEST(daisy_recovery, an_error_is_a_landmark_when_it_agrees_with_itself) {
+    const octets ping{4, 0x11, 0x00, 0x03, 0x99};  // its CRC should be 0x16
+    const auto report = [&](octets rejected, std::uint8_t expected) {
+        octets data{0};
+        append(data, rejected);
+        data.push_back(expected);
+        return sealed(0x00, 0x11, 0x04, data);
+    };
+    EXPECT_TRUE(landmark(report(ping, 0x16)));
+    EXPECT_FALSE(landmark(report(ping, 0x17)));
+    octets longer = ping;
+    longer[0] = 5;
+    EXPECT_FALSE(landmark(report(longer, 0x17)));
+    EXPECT_TRUE(landmark(sealed(0x00, 0x11, 0x04, {1})));
+    EXPECT_TRUE(landmark(sealed(0x00, 0x11, 0x04, {200})));
+}
+
+TEST(daisy_recovery, a_plain_text_that_holds_a_packet_is_no_landmark) {
+    octets inside = sealed(0x21, 0x20, 0x41, octets(5, ' '));  // SET ALL POSITIONS, plain characters all of it
+    ASSERT_EQ(inside, text_bytes("\t! A     i"));
+    octets text = text_bytes("ab");
+    append(text, inside);
+    EXPECT_FALSE(landmark(sealed(0, 0x11, 0x81, text)));
+    text.back() ^= 1;
+    EXPECT_TRUE(landmark(sealed(0, 0x11, 0x81, text))) << "now its CRC is wrong";
+}
+
 TEST(daisy_recovery, holds_its_bound_on_random_schedules) {
     tally joined, changed;
     for (std::uint64_t seed = 1; seed != 61; ++seed) {
