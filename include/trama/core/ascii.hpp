@@ -66,7 +66,28 @@ inline bool all_printable_vector(const std::uint8_t* p, std::size_t n) noexcept 
     return _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(worst, most), most)) == 0xFFFF;
 }
 
+/// True when the 8..16 characters at `p` are printable; `Byte` is any type of one byte.
+template <std::size_t Count, class Byte>
+bool few_printable_vector(const Byte* p) noexcept {
+    std::uint64_t first, last;
+    std::memcpy(&first, p, sizeof first);
+    std::memcpy(&last, p + Count - sizeof last, sizeof last);
+    const __m128i most = _mm_set1_epi8(0x5E);
+    const __m128i x = _mm_sub_epi8(_mm_set_epi64x(static_cast<long long>(last), static_cast<long long>(first)), _mm_set1_epi8(0x20));
+    return _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(x, most), most)) == 0xFFFF;
+}
+
 #elif defined(__ARM_NEON) && defined(__aarch64__)
+
+/// True when the 8..16 characters at `p` are printable; `Byte` is any type of one byte.
+template <std::size_t Count, class Byte>
+bool few_printable_vector(const Byte* p) noexcept {
+    std::uint64_t first, last;
+    std::memcpy(&first, p, sizeof first);
+    std::memcpy(&last, p + Count - sizeof last, sizeof last);
+    const uint8x16_t x = vcombine_u8(vcreate_u8(first), vcreate_u8(last));
+    return vmaxvq_u8(vsubq_u8(x, vdupq_n_u8(0x20))) <= 0x5E;
+}
 
 /// True when all `n` bytes at `p` are printable. One test at the end; the last vector overlaps the one before it.
 inline bool all_printable_vector(const std::uint8_t* p, std::size_t n) noexcept {
@@ -85,6 +106,14 @@ inline std::size_t printable_run_vector(const std::uint8_t* p, std::size_t n) no
 
 #else
 
+/// True when the 8..16 characters at `p` are printable; `Byte` is any type of one byte.
+template <std::size_t Count, class Byte>
+bool few_printable_vector(const Byte* p) noexcept {
+    std::uint64_t first, last;
+    std::memcpy(&first, p, sizeof first);
+    std::memcpy(&last, p + Count - sizeof last, sizeof last);
+    return (unprintable_tops(first) | unprintable_tops(last)) == 0;
+}
 inline bool all_printable_vector(const std::uint8_t* p, std::size_t n) noexcept { return all_printable_scalar(p, n); }
 inline std::size_t printable_run_vector(const std::uint8_t* p, std::size_t n) noexcept { return printable_run_scalar(p, n); }
 

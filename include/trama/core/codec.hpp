@@ -75,7 +75,7 @@ inline constexpr std::uint64_t mapped_columns = [] {
 
 /// Reads the fields of a fixed layout, the numbers of its first 64 columns together.
 template <has_layout M>
-constexpr std::uint64_t load_mapped_fields(const std::uint8_t* p, M& m) noexcept {
+[[gnu::always_inline]] constexpr std::uint64_t load_mapped_fields(const std::uint8_t* p, M& m) noexcept {
     const column_map map = map_columns<M::layout.size, mapped_columns<M>>(p);
     std::uint64_t digits_only = 0, bad = 0, odd = 0;
     each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {

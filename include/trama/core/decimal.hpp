@@ -118,6 +118,38 @@ constexpr void write_columns(std::uint8_t* p, std::size_t columns, std::uint64_t
     std::fill(p, p + at, std::uint8_t{' '});
 }
 
+/// The digits of `value` in eight bytes, the first digit in the lowest one. Precondition: below 100000000.
+constexpr std::uint64_t spread_digits(std::uint32_t value) noexcept {
+    const std::uint32_t high = value / 10000;
+    std::uint64_t v = high | std::uint64_t{value - high * 10000} << 32;  // two numbers of four digits
+    const std::uint64_t hundreds = (v * 10486 >> 20) & 0x0000007F0000007F;
+    v = hundreds | (v - hundreds * 100) << 16;  // four of two
+    const std::uint64_t tens = (v * 103 >> 10) & 0x000F000F000F000F;
+    return tens | (v - tens * 10) << 8;
+}
+
+/// As `write_columns` does, for 1..7 columns that are known when this is compiled, without a branch.
+template <std::size_t Columns>
+constexpr void write_few_columns(std::uint8_t* p, std::uint32_t value) noexcept {
+    if constexpr (Columns == 1) {
+        p[0] = static_cast<std::uint8_t>('0' + value);
+    } else {
+        static_assert(Columns <= 7);
+        const std::uint64_t digits = spread_digits(value) >> (8 * (8 - Columns));
+        // Of the zeros before the first digit that counts, '0' becomes ' ' by losing one bit; the last digit always counts.
+        const auto first = static_cast<unsigned>(std::countr_zero(digits | std::uint64_t{1} << (8 * (Columns - 1))) & ~7);
+        const std::uint64_t leading = (std::uint64_t{1} << first) - 1;
+        const std::uint64_t chars = (digits | 0x3030303030303030) ^ (leading & 0x1010101010101010);
+        if constexpr (Columns >= 4) {
+            store_le(p, static_cast<std::uint32_t>(chars));
+            store_le(p + Columns - 4, static_cast<std::uint32_t>(chars >> (8 * (Columns - 4))));
+        } else {
+            store_le(p, static_cast<std::uint16_t>(chars));
+            store_le(p + Columns - 2, static_cast<std::uint16_t>(chars >> (8 * (Columns - 2))));
+        }
+    }
+}
+
 /// Writes a number as `write_columns` does, with a '-' directly before a negative one.
 constexpr void write_signed_columns(std::uint8_t* p, std::size_t columns, std::int32_t value) noexcept {
     const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -std::int64_t{value} : std::int64_t{value});

@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string_view>
 #include <type_traits>
+
+#include "trama/core/ascii.hpp"
 
 namespace trama {
 
@@ -32,6 +35,8 @@ struct text {
     std::string_view view() const&& = delete;
     /// False when a delimiter or another control character hides inside.
     constexpr bool printable() const noexcept {
+        if constexpr (Columns >= 8 && Columns <= 16)
+            if (!std::is_constant_evaluated()) return few_printable_vector<Columns>(columns.data());
         bool all = true;
         for (const char c : columns) all &= c >= 0x20 && c <= 0x7E;
         return all;

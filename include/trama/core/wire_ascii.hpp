@@ -25,7 +25,10 @@ struct dec {
     [[gnu::always_inline]] static constexpr std::uint64_t load_mapped(const std::uint8_t* p, const column_map& map, value& out) noexcept {
         return read_mapped<Columns, Readable>(p, map.digits, out);
     }
-    static constexpr void store(std::uint8_t* p, value v) noexcept { write_columns(p, Columns, v); }
+    static constexpr void store(std::uint8_t* p, value v) noexcept {
+        if constexpr (Columns <= 7) write_few_columns<Columns>(p, v);
+        else write_columns(p, Columns, v);
+    }
 };
 
 /// Decimal in `Columns` ASCII columns that may have a leading '-'. [D16]
@@ -47,7 +50,10 @@ struct signed_dec : dec<Columns> {
         out = static_cast<value>(magnitude);
         return bad;
     }
-    static constexpr void store(std::uint8_t* p, value v) noexcept { write_signed_columns(p, Columns, v); }
+    static constexpr void store(std::uint8_t* p, value v) noexcept {
+        if (v < 0) [[unlikely]] write_signed_columns(p, Columns, v);
+        else dec<Columns>::store(p, static_cast<std::uint32_t>(v));
+    }
 };
 
 /// `xxx.x` in `Columns` ASCII columns, held in tenths. [gateway, "circuit_state"; D15]

@@ -75,7 +75,7 @@ private:
         constexpr std::size_t size = type_size + M::layout.size + 2;
         if (out.size() < size) return errc::buffer_too_small;
         out[0] = stx;
-        write_columns(out.data() + 1, type_size, static_cast<std::uint64_t>(M::key));
+        write_few_columns<type_size>(out.data() + 1, static_cast<std::uint32_t>(M::key));
         store_fields(out.data() + 1 + type_size, m);
         if (side == justify::left) {
             std::uint8_t* type = out.data() + 1;
