@@ -44,6 +44,16 @@ inline column_map map_columns_vector(const std::uint8_t* p) noexcept {
     return {static_cast<std::uint64_t>(_mm_movemask_epi8(digit)), static_cast<std::uint64_t>(_mm_movemask_epi8(known)) ^ 0xFFFF};
 }
 
+/// Classifies the eight columns of a word, first one lowest.
+inline column_map map_word(std::uint64_t word) noexcept {
+    const __m128i x = _mm_cvtsi64_si128(static_cast<long long>(word));
+    const __m128i value = _mm_xor_si128(x, _mm_set1_epi8('0'));
+    const __m128i digit = _mm_cmpeq_epi8(_mm_min_epu8(value, _mm_set1_epi8(9)), value);
+    const __m128i both = _mm_unpacklo_epi64(digit, _mm_cmpeq_epi8(x, _mm_set1_epi8(' ')));
+    const auto flags = static_cast<unsigned>(_mm_movemask_epi8(both));
+    return {flags & 0xFF, ((flags | flags >> 8) & 0xFF) ^ 0xFF};
+}
+
 #elif defined(__ARM_NEON) && defined(__aarch64__)
 
 /// Classifies 16 columns.
@@ -98,32 +108,52 @@ inline constexpr auto column_shift = [] {
     return shift;
 }();
 
-/// The number in the `Columns` columns at `p`, which `digits` describes from bit 0 on. Odd when spaces split its
-/// digits; whether the columns hold anything else is for the caller to see. `Readable` columns may be read.
+/// The number in the first `Columns` bytes of `word`, which `digits` describes from bit 0 on. Odd when spaces split its
+/// digits; whether the columns hold anything else is for the caller to see.
+template <std::size_t Columns>
+[[gnu::always_inline]] constexpr std::uint32_t value_of(std::uint64_t word, std::uint64_t digits, std::uint32_t& value) noexcept {
+    const std::uint32_t shift = column_shift[digits & ((1U << Columns) - 1)];
+    if constexpr (Columns <= 4) {
+        std::uint32_t v = (static_cast<std::uint32_t>(word) & 0x0F0F0F0F) << ((shift - 32) & 0x1F);
+        v = v * 10 + (v >> 8);
+        if constexpr (Columns <= 2) value = v >> 16 & 0xFF;
+        else value = (v & 0x00FF00FF) * (100U << 16 | 1U) >> 16;
+    } else {
+        std::uint64_t v = (word & 0x0F0F0F0F0F0F0F0F) << (shift & 0x3F);
+        v = v * 10 + (v >> 8);
+        constexpr std::uint64_t pairs = 0x000000FF000000FF, high = 1000000ULL << 32 | 100, low = 10000ULL << 32 | 1;
+        value = static_cast<std::uint32_t>(((v & pairs) * high + (v >> 16 & pairs) * low) >> 32);
+    }
+    return shift;
+}
+
+/// As `value_of` for the columns at `p`, of which `Readable` may be read.
 template <std::size_t Columns, std::size_t Readable>
 [[gnu::always_inline]] constexpr std::uint32_t read_mapped(const std::uint8_t* p, std::uint64_t digits, std::uint32_t& value) noexcept {
     static_assert(Columns <= 7 && Columns <= Readable);
     if constexpr (Columns == 1) {
         value = p[0] & 0x0FU;
         return 0;
+    } else if constexpr (Columns <= 4) {
+        return value_of<Columns>(Readable >= 4 ? load_le<std::uint32_t>(p) : load_columns<Columns>(p), digits, value);
     } else {
-        const std::uint32_t shift = column_shift[digits & ((1U << Columns) - 1)];
-        if constexpr (Columns <= 4) {
-            std::uint32_t v = Readable >= 4 ? load_le<std::uint32_t>(p) : static_cast<std::uint32_t>(load_columns<Columns>(p));
-            v = (v & 0x0F0F0F0F) << ((shift - 32) & 0x3F);
-            v = v * 10 + (v >> 8);
-            if constexpr (Columns <= 2) value = v >> 16 & 0xFF;
-            else value = (v & 0x00FF00FF) * (100U << 16 | 1U) >> 16;
-            return shift;
-        } else {
-            std::uint64_t v = Readable >= 8 ? load_le<std::uint64_t>(p) : load_columns<Columns>(p);
-            v = (v & 0x0F0F0F0F0F0F0F0F) << (shift & 0x3F);
-            v = v * 10 + (v >> 8);
-            constexpr std::uint64_t pairs = 0x000000FF000000FF, high = 1000000ULL << 32 | 100, low = 10000ULL << 32 | 1;
-            value = static_cast<std::uint32_t>(((v & pairs) * high + (v >> 16 & pairs) * low) >> 32);
-            return shift;
-        }
+        return value_of<Columns>(Readable >= 8 ? load_le<std::uint64_t>(p) : load_columns<Columns>(p), digits, value);
     }
+}
+
+/// As `read_columns`, quicker where single numbers can be classified in a vector.
+template <std::size_t Columns>
+[[gnu::always_inline]] constexpr std::uint64_t read_one(const std::uint8_t* p, std::uint32_t& value) noexcept {
+#if defined(__SSE2__)
+    if constexpr (Columns >= 2 && Columns <= 7)
+        if (!std::is_constant_evaluated()) {
+            const std::uint64_t word = load_columns<Columns>(p);
+            const column_map map = map_word(word);
+            const std::uint32_t odd = value_of<Columns>(word, map.digits, value);
+            return (odd & 1) | map.others;
+        }
+#endif
+    return read_columns<Columns>(p, value);
 }
 
 }  // namespace trama

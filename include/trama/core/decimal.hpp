@@ -128,6 +128,14 @@ constexpr std::uint64_t spread_digits(std::uint32_t value) noexcept {
     return tens | (v - tens * 10) << 8;
 }
 
+/// The digits of `value` in four bytes, the first digit in the lowest one. Precondition: below 10000.
+constexpr std::uint32_t spread_few_digits(std::uint32_t value) noexcept {
+    const std::uint32_t hundreds = value * 5243 >> 19;
+    const std::uint32_t v = hundreds | (value - hundreds * 100) << 16;
+    const std::uint32_t tens = (v * 103 >> 10) & 0x000F000F;
+    return tens | (v - tens * 10) << 8;
+}
+
 /// As `write_columns` does, for 1..7 columns that are known when this is compiled, without a branch.
 template <std::size_t Columns>
 constexpr void write_few_columns(std::uint8_t* p, std::uint32_t value) noexcept {
@@ -135,7 +143,8 @@ constexpr void write_few_columns(std::uint8_t* p, std::uint32_t value) noexcept 
         p[0] = static_cast<std::uint8_t>('0' + value);
     } else {
         static_assert(Columns <= 7);
-        const std::uint64_t digits = spread_digits(value) >> (8 * (8 - Columns));
+        constexpr std::size_t spread = Columns <= 4 ? 4 : 8;
+        const std::uint64_t digits = (Columns <= 4 ? spread_few_digits(value) : spread_digits(value)) >> (8 * (spread - Columns));
         // Of the zeros before the first digit that counts, '0' becomes ' ' by losing one bit; the last digit always counts.
         const auto first = static_cast<unsigned>(std::countr_zero(digits | std::uint64_t{1} << (8 * (Columns - 1))) & ~7);
         const std::uint64_t leading = (std::uint64_t{1} << first) - 1;

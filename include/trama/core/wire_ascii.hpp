@@ -18,7 +18,7 @@ struct dec {
     static constexpr std::uint64_t digits_only = Columns <= 7 ? (1U << Columns) - 1 : 0;  ///< Columns that hold digits and spaces alone.
 
     static constexpr bool carries(std::int64_t v) noexcept { return low <= v && v <= high; }
-    static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_columns<Columns>(p, out); }
+    static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_one<Columns>(p, out); }
     /// As `load` where `map` describes the columns from bit 0 on, but columns that are neither digits nor spaces are left
     /// to the caller. `Readable` columns may be read.
     template <std::size_t Readable>
