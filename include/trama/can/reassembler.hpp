@@ -26,32 +26,35 @@ public:
         : basic_reassembler({central_master, master_1, master_2}) {}
     /// Follows `ids`; a partial message whose last frame is older than `timeout`, in units of `frame::time`, is given up.
     constexpr explicit basic_reassembler(const std::array<std::uint32_t, Ids>& ids, std::uint64_t timeout = never) noexcept : timeout_(timeout) {
-        for (std::size_t i = 0; i != Ids; ++i) slots_[i].id = ids[i];
+        for (std::size_t i = 0; i != Ids; ++i) slots_[i].id = ids_[i] = ids[i];
     }
 
     /// Takes frames from the front of `in` and reports one message or error, or `need_more` with `in` empty.
     /// Frames of other protocols are counted as foreign and left alone.
-    constexpr event next(std::span<const frame>& in) noexcept {
-        if (overdue_) [[unlikely]] {
-            if (slot* late = find_overdue()) return interrupt(*late, draining_ ? errc::truncated : errc::timed_out);
-            overdue_ = draining_ = false;
-        }
-        for (; !in.empty(); in = in.subspan(1)) {
+    [[gnu::always_inline]] constexpr event next(std::span<const frame>& in) noexcept {
+        while (!overdue_ && !in.empty()) {  // frames that end or continue a message as they should
             const frame& f = in.front();
-            slot* s = f.classic() ? slot_of(f.id) : nullptr;
-            if (s == nullptr) {
-                ++counters_.foreign;
-                ++offset_;
-            } else if (s->seen != 0 && is_late(*s, f.time)) {
-                return interrupt(*s, errc::timed_out);
-            } else if (s->seen != 0 && f.length != known.shapes[s->index].lengths[s->seen]) {
-                return interrupt(*s, errc::incomplete);
-            } else if (const event e = take(*s, f); e.code != errc::need_more) {
-                in = in.subspan(1);
-                return e;
-            }
+            const std::size_t place = place_of(f.id);
+            slot& s = slots_[place];
+            const std::size_t seen = s.seen;
+            const std::size_t first = known.first[known.rows[f.data[2]]][f.length & 15];
+            const std::size_t index = seen != 0 ? s.index : first;
+            const bool late = seen != 0 && is_late(s, f.time);
+            if (ids_[place] != f.id || !f.classic() || f.length != known.lengths[index][seen] || late) [[unlikely]] break;
+            copy_bytes(s.data.data() + 8 * seen, f.data.data(), 8);
+            s.last = f.time;
+            s.offset = seen != 0 ? s.offset : offset_;
+            s.index = static_cast<std::uint8_t>(index);
+            const bool complete = seen + 1 == known.shapes[index].frames;
+            s.seen = static_cast<std::uint8_t>(complete ? 0 : seen + 1);
+            ++offset_;
+            in = in.subspan(1);
+            if (complete) return deliver({s.data.data(), 8 * seen + f.length}, f.id, index, s.offset);
         }
-        return {};
+        auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
+        event e = advance(rest);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
+        in = rest;
+        return e;
     }
     /// Time went on to `now`: `next` then reports the partial messages that are overdue.
     constexpr void tick(std::uint64_t now) noexcept { now_ = now; overdue_ = true; }
@@ -77,13 +80,18 @@ private:
     struct slot {
         std::uint32_t id = 0;
         std::uint8_t seen = 0;   ///< Frames of the message in progress; 0 when there is none.
-        std::uint8_t held = 0;   ///< Their bytes.
         std::uint8_t index = 0;  ///< The message, by its first frame.
         std::uint64_t offset = 0;
         std::uint64_t last = 0;  ///< Time of the latest frame.
         std::array<std::uint8_t, 8 * max_frames> data{};
     };
 
+    /// Where the slot of `id` is, if it has one. No branch: which identifier comes next cannot be predicted.
+    [[gnu::always_inline]] constexpr std::size_t place_of(std::uint32_t id) const noexcept {
+        std::size_t place = 0;
+        for (std::size_t i = Ids; i-- != 0;) place = ids_[i] == id ? i : place;
+        return place;
+    }
     constexpr slot* slot_of(std::uint32_t id) noexcept {
         for (slot& s : slots_) if (s.id == id) return &s;
         return nullptr;
@@ -100,24 +108,46 @@ private:
         return found;
     }
 
+    /// Everything but the frames that `next` deals with itself.
+    [[gnu::noinline]] constexpr event advance(std::span<const frame>& in) noexcept {
+        if (overdue_) {
+            if (slot* late = find_overdue()) return interrupt(*late, draining_ ? errc::truncated : errc::timed_out);
+            overdue_ = draining_ = false;
+        }
+        for (; !in.empty(); in = in.subspan(1)) {
+            const frame& f = in.front();
+            slot* s = f.classic() ? slot_of(f.id) : nullptr;
+            if (s == nullptr) {
+                ++counters_.foreign;
+                ++offset_;
+            } else if (s->seen != 0 && is_late(*s, f.time)) {
+                return interrupt(*s, errc::timed_out);
+            } else if (s->seen != 0 && f.length != known.shapes[s->index].lengths[s->seen]) {
+                return interrupt(*s, errc::incomplete);
+            } else if (const event e = take(*s, f); e.code != errc::need_more) {
+                in = in.subspan(1);
+                return e;
+            }
+        }
+        return {};
+    }
+
     /// `f` is the frame that its slot waits for, or the first of a message.
     constexpr event take(slot& s, const frame& f) noexcept {
         if (s.seen == 0) {
             const opening first = open_message(f);
             const std::size_t length = std::min<std::size_t>(f.length, f.data.size());
             if (first.code != errc::ok) return report(first.code, {f.data.data(), length}, s.id, offset_++, 1);
-            if (known.shapes[first.index].frames == 1) return deliver({f.data.data(), length}, s.id, first.index, offset_++);
             s.index = static_cast<std::uint8_t>(first.index);
-            s.held = 0;
             s.offset = offset_;
         }
-        copy_bytes(s.data.data() + s.held, f.data.data(), f.length);
-        s.held = static_cast<std::uint8_t>(s.held + f.length);
+        copy_bytes(s.data.data() + 8 * s.seen, f.data.data(), 8);
+        const std::size_t size = std::size_t{8} * s.seen + f.length;
         s.last = f.time;
         ++offset_;
         if (++s.seen != known.shapes[s.index].frames) return {};
         s.seen = 0;
-        return deliver({s.data.data(), s.held}, s.id, s.index, s.offset);
+        return deliver({s.data.data(), size}, s.id, s.index, s.offset);
     }
     constexpr event deliver(std::span<const std::uint8_t> body, std::uint32_t id, std::size_t index, std::uint64_t offset) noexcept {
         event e{};
@@ -133,7 +163,7 @@ private:
     constexpr event interrupt(slot& s, errc code) noexcept {
         const std::size_t frames = s.seen;
         s.seen = 0;
-        return report(code, {s.data.data(), s.held}, s.id, s.offset, frames);
+        return report(code, {s.data.data(), 8 * frames}, s.id, s.offset, frames);
     }
     constexpr event report(errc code, std::span<const std::uint8_t> bytes, std::uint32_t id, std::uint64_t offset, std::size_t frames) noexcept {
         event e{};
@@ -148,6 +178,7 @@ private:
         return e;
     }
 
+    std::array<std::uint32_t, Ids> ids_{};
     std::array<slot, Ids> slots_{};
     std::uint64_t timeout_ = never;
     std::uint64_t now_ = 0;

@@ -18,6 +18,12 @@ struct catalogue {
     std::array<can::key, unknown + 1> keys{};
     std::array<std::array<std::uint8_t, 9>, 26> index{};  ///< Message by letter, A..Z, and DLC of its first frame.
     std::uint32_t letters = 0;                            ///< Bit n: some message has the letter 'A' + n.
+    /// For one look-up each: a letter's row of `first`, the message by row and DLC & 15, frame lengths by message and place.
+    std::array<std::uint8_t, 256> rows{};
+    std::array<std::array<std::uint8_t, 16>, 32> first{};
+    std::array<std::array<std::uint8_t, 4>, unknown + 1> lengths{};
+
+    bool whole_frames = true;  ///< All frames but a message's last have eight bytes.
 
     consteval catalogue() {
         for (auto& row : index) row.fill(unknown);
@@ -31,9 +37,20 @@ struct catalogue {
             index[letter][static_cast<std::size_t>(M::key) % 256] = static_cast<std::uint8_t>(at++);
             letters |= 1U << letter;
         });
+        for (auto& row : first) row.fill(unknown);
+        lengths[unknown].fill(0xFF);  // no DLC
+        for (std::size_t letter = 0; letter != index.size(); ++letter) {
+            rows['A' + letter] = static_cast<std::uint8_t>(letter + 1);
+            for (std::size_t length = min_first_length; length != index[letter].size(); ++length) first[letter + 1][length] = index[letter][length];
+        }
+        for (std::size_t m = 0; m != unknown; ++m) {
+            for (std::size_t i = 0; i != max_frames; ++i) lengths[m][i] = shapes[m].lengths[i];
+            for (std::size_t i = 0; i + 1 < shapes[m].frames; ++i) whole_frames = whole_frames && lengths[m][i] == 8;
+        }
     }
 };
 inline constexpr catalogue known{};
+static_assert(known.whole_frames, "the reassembler keeps the frame at place i from byte 8 * i on");
 
 /// What a frame is as the first one of a message: the message's index, or why it is none.
 struct opening {
