@@ -94,7 +94,8 @@ public:
     template <class... A>
     void say(const moment& t, const char* format, A... values) const {
         std::printf("%02u:%02u  %-9s ", t.hour, t.minute, name_);
-        std::printf(format, values...);
+        if constexpr (sizeof...(A) == 0) std::fputs(format, stdout);
+        else std::printf(format, values...);
         std::printf("\n");
         std::fflush(stdout);
     }

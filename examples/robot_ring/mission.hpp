@@ -85,7 +85,8 @@ public:
     template <class... A>
     void say(const char* format, A... values) const {
         std::printf("%7.3f s  ", static_cast<double>(now() - began_) / 1000);
-        std::printf(format, values...);
+        if constexpr (sizeof...(A) == 0) std::fputs(format, stdout);
+        else std::printf(format, values...);
         std::printf("\n");
         std::fflush(stdout);
     }

@@ -1,0 +1,213 @@
+"""The gateway under bad clients and bad lines: no order lost or done twice, memory flat."""
+
+import collections
+import os
+import pathlib
+import random
+import re
+import select
+import signal
+import socket
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+
+from soak_support import PROGRAM, decoded
+
+SIM = os.environ["SIM"]
+LOAD = b"\x02  1%5d    1    3    0 0                              \x03"
+
+
+class Sim:
+    """A running gateway_sim on a free port."""
+
+    def __init__(self, folder, *arguments):
+        self.journal = pathlib.Path(folder) / "journal"
+        self.child = subprocess.Popen([SIM, "--port", "0", "--journal", str(self.journal), *map(str, arguments)],
+                                      stdout=subprocess.PIPE, text=True)
+        self.port = int(re.search(r"port (\d+)", self.child.stdout.readline()).group(1))
+
+    def connect(self):
+        return socket.create_connection(("127.0.0.1", self.port), 5)
+
+    def memory(self):
+        """Resident kilobytes."""
+        return int(re.search(r"VmRSS:\s+(\d+)", pathlib.Path(f"/proc/{self.child.pid}/status").read_text()).group(1))
+
+    def end(self):
+        self.child.send_signal(signal.SIGINT)
+        output, _ = self.child.communicate(timeout=30)
+        return self.child.returncode, output
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.child.poll() is None:
+            self.child.kill()
+            self.child.communicate()
+
+    def accepted(self):
+        """How often each cargo was accepted."""
+        lines = self.journal.read_text().splitlines() if self.journal.exists() else []
+        return collections.Counter(line.split()[3] for line in lines if line.startswith("accepted") and len(line.split()) > 3)
+
+
+def deliver(port, orders, *arguments, seconds=40):
+    done = subprocess.run([PROGRAM, "--port", str(port), "--orders", str(orders), "--quiet", "--seconds", str(seconds),
+                           *map(str, arguments)], capture_output=True, text=True, timeout=seconds + 30)
+    return done.returncode, done.stdout
+
+
+def receive(connection, size, patience=5.0):
+    """What has come when `size` bytes are there or the patience ends."""
+    data = b""
+    end = time.monotonic() + patience
+    while len(data) < size and time.monotonic() < end:
+        if select.select([connection], [], [], 0.1)[0]:
+            piece = connection.recv(65536)
+            if not piece:
+                break
+            data += piece
+    return data
+
+
+class BreakingLine(threading.Thread):
+    """Stands between client and gateway, and cuts every connection after some random number of bytes."""
+
+    def __init__(self, target, seed):
+        super().__init__(daemon=True)
+        self.target, self.random, self.cuts, self.stopped = target, random.Random(seed), 0, False
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.listener.settimeout(0.1)
+        self.port = self.listener.getsockname()[1]
+
+    def run(self):
+        while not self.stopped:
+            try:
+                client, _ = self.listener.accept()
+            except TimeoutError:
+                continue
+            with client, socket.create_connection(("127.0.0.1", self.target), 5) as gateway:
+                self.carry(client, gateway)
+        self.listener.close()
+
+    def carry(self, client, gateway):
+        left = self.random.randrange(100, 12000)
+        while left > 0 and not self.stopped:
+            for source in select.select([client, gateway], [], [], 0.1)[0]:
+                data = source.recv(min(left, 1 + self.random.randrange(300)))
+                if not data:
+                    return
+                (gateway if source is client else client).sendall(data)
+                left -= len(data)
+        self.cuts += 1
+
+
+class Gateway(unittest.TestCase):
+    def test_every_order_is_delivered_exactly_once_over_connections_that_break(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--carts", 6, "--crossing", 5, "--quiet") as sim:
+            line = BreakingLine(sim.port, 7)
+            line.start()
+            status, output = deliver(line.port, 150, "--carts", 6, "--timeout", 400)
+            line.stopped = True
+            line.join()
+            self.assertEqual(status, 0, output)
+            self.assertGreater(line.cuts, 5)
+            self.assertRegex(output, r", [1-9]\d* of them in doubt")
+            self.assertEqual(sim.accepted(), {f"c{i}": 1 for i in range(1, 151)})
+            self.assertEqual(sim.end()[0], 0)
+
+    def test_captures_hold_what_came_and_went(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--record", folder, "--quiet") as sim:
+            status, output = deliver(sim.port, 12)
+            self.assertEqual(status, 0, output)
+            sim.end()
+            orders, errors = decoded("gateway", pathlib.Path(folder) / "to_gateway.gateway")
+            self.assertEqual(errors, [])
+            accepted = sum(o["message"] in ("load", "unload") for o in orders)
+            states, errors = decoded("gateway", pathlib.Path(folder) / "to_client.gateway")
+            self.assertEqual(errors, [])
+            replies = [s["fields"]["src_msg_id"] for s in states if s["message"] in ("transit_ack", "nack")]
+            self.assertEqual(len(replies), accepted)
+
+    def test_clients_that_disappear_and_half_open_connections_cost_nothing(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--quiet") as sim:
+            for length in (0, 1, 30, 56):
+                with sim.connect() as client:
+                    client.sendall((LOAD % 5)[:length])
+            silent = sim.connect()  # and never a word, as from a machine whose cable was pulled
+            silent.sendall((LOAD % 6)[:20])
+            status, output = deliver(sim.port, 8)
+            self.assertEqual(status, 0, output)
+            self.assertEqual(sim.accepted(), {f"c{i}": 1 for i in range(1, 9)})
+            silent.settimeout(5)
+            with silent:
+                try:
+                    while silent.recv(65536):
+                        pass
+                except ConnectionResetError:
+                    pass  # the gateway hung up with our half order unread: as good an end as any
+
+    def test_a_thousand_takeovers(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 1000, "--quiet") as sim:
+            with sim.connect() as first:
+                receive(first, 400)
+            before, held = sim.memory(), []
+            for i in range(1000):
+                held.append(sim.connect())
+                held[-1].sendall((LOAD % (i % 100000))[: i % 57])
+                if len(held) > 20:
+                    held.pop(0).close()
+            status, output = deliver(sim.port, 1)
+            self.assertEqual(status, 0, output)
+            self.assertLess(sim.memory(), before + 2048)
+            for client in held:
+                client.close()
+            status, output = sim.end()
+            self.assertEqual(status, 0)
+            self.assertIn("1002 connections", output)
+
+    def test_a_slow_reader_gets_replies_and_the_latest_states_and_costs_no_memory(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 5, "--carts", 64, "--quiet") as sim:
+            with sim.connect() as client:
+                receive(client, 64 * 208)
+                before = sim.memory()
+                client.setblocking(False)
+                sent = 0
+                end = time.monotonic() + 3
+                while time.monotonic() < end:  # orders without end, and never a look at the replies
+                    try:
+                        sent += client.send((LOAD % 1) * 50)
+                    except BlockingIOError:
+                        time.sleep(0.01)
+                self.assertGreater(sent, 100000)
+                self.assertLess(sim.memory(), before + 4096)
+                client.setblocking(True)
+                self.assertIn(b"\x02102", receive(client, 1 << 20))
+            status, output = deliver(sim.port, 8)
+            self.assertEqual(status, 0, output)
+
+    def test_a_hundred_megabytes_of_garbage(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
+            with sim.connect() as client:
+                receive(client, 400)
+                before = sim.memory()
+                source = random.Random(3)
+                block = source.randbytes(1 << 20) + bytes(source.choices(b"\x02\x03 0123456789A", k=1 << 18))
+                for _ in range(80):  # 80 blocks of 1.25 MiB
+                    client.sendall(block)
+                self.assertLess(sim.memory(), before + 2048)
+            with sim.connect() as client:  # a garbage record may look like an order, so only this one counts
+                client.sendall(LOAD % 77)
+                self.assertRegex(receive(client, 4000, 2), rb"\x02(100|102).{5}    1  1   77")
+            status, output = sim.end()
+            self.assertEqual(status, 0)
+            skipped = int(re.search(r"(\d+) bytes skipped", output).group(1))
+            self.assertGreater(skipped, 90_000_000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+"""What the soak tests share: starting programs, ending them by Ctrl-C, reading captures with the tool."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+
+PROGRAM = os.environ["PROGRAM"]
+TRAMA = os.environ.get("TRAMA")
+
+
+def run(*arguments, patience=120):
+    """The program's exit status and what it printed."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=patience)
+    return done.returncode, done.stdout + done.stderr
+
+
+def interrupted(*arguments, after=1.0):
+    """As `run`, ended by Ctrl-C: the signal goes to all its processes, as a terminal sends it. Also returns the number
+    of its processes that are left."""
+    child = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             text=True, start_new_session=True)
+    try:
+        child.wait(after)
+    except subprocess.TimeoutExpired:
+        os.killpg(child.pid, signal.SIGINT)
+    output, _ = child.communicate(timeout=60)
+    left = 0
+    for entry in pathlib.Path("/proc").iterdir():
+        try:
+            left += entry.name.isdigit() and os.getpgid(int(entry.name)) == child.pid
+        except ProcessLookupError:
+            pass
+    return child.returncode, output, left
+
+
+def decoded(protocol, path):
+    """Messages and errors that the tool finds in a capture."""
+    done = subprocess.run([TRAMA, "decode", protocol, str(path)], capture_output=True, text=True, timeout=120)
+    assert done.returncode in (0, 1), done.stderr
+    events = [json.loads(line) for line in done.stdout.splitlines()]
+    return [e for e in events if "message" in e], [e for e in events if "error" in e]
