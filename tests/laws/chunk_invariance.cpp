@@ -16,7 +16,7 @@ TYPED_TEST_SUITE(chunk_invariance, formats);
 template <class F>
 void compare_cuts(traffic kind, std::uint64_t seed) {
     rng random(seed);
-    const auto stream = subject<F>::random_stream(random, kind, random.within(1, 900));
+    const auto stream = subject<F>::random_stream(random, kind, random.within(1, std::is_same_v<F, can::format> ? 200 : 900));
     std::vector<std::size_t> silences;
     if (random.one_in(3))
         for (std::size_t n = random.within(1, 4); n != 0; --n) silences.push_back(random.below(stream.size() + 1));
@@ -30,7 +30,7 @@ void compare_cuts(traffic kind, std::uint64_t seed) {
 
 TYPED_TEST(chunk_invariance, the_events_of_a_stream_do_not_depend_on_how_it_is_cut) {
     for (const traffic kind : all_traffic)
-        for (std::uint64_t seed = 1; seed != 151 && !this->HasFailure(); ++seed) {
+        for (std::uint64_t seed = first_seed() + 1; seed != first_seed() + 151 && !this->HasFailure(); ++seed) {
             SCOPED_TRACE(testing::Message() << name_of(kind) << " traffic, seed " << seed);
             compare_cuts<TypeParam>(kind, seed);
         }

@@ -17,6 +17,9 @@ constexpr std::string_view name_of(cut how) {
     return names[static_cast<std::size_t>(how)];
 }
 
+/// Other runs of the same tests: `--gtest_random_seed=N` moves all seeds. 0 unless asked for.
+inline std::uint64_t first_seed() { return static_cast<std::uint64_t>(GTEST_FLAG_GET(random_seed)) * 1'000'000; }
+
 /// Where two lists of lines begin to differ; empty when they do not.
 inline std::string first_difference(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     for (std::size_t i = 0; i != std::max(a.size(), b.size()); ++i) {
