@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trama/core/codec.hpp"
+#include "trama/core/body.hpp"
 
 namespace trama {
 
