@@ -1,4 +1,4 @@
-#include "trama/core/codec.hpp"
+#include "trama/core/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "trama/core/column_map.hpp"
 #include "trama/core/layout.hpp"
 
