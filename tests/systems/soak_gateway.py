@@ -1,15 +1,19 @@
 """The gateway under bad clients and bad lines: no order lost or done twice, memory flat."""
 
 import collections
+import fcntl
 import os
 import pathlib
+import pty
 import random
 import re
 import select
 import signal
 import socket
+import struct
 import subprocess
 import tempfile
+import termios
 import threading
 import time
 import unittest
@@ -104,6 +108,52 @@ class BreakingLine(threading.Thread):
                 (gateway if source is client else client).sendall(data)
                 left -= len(data)
         self.cuts += 1
+
+
+class Shell(unittest.TestCase):
+    """The client on a terminal."""
+
+    def until(self, terminal, wanted, patience=10):
+        text = b""
+        end = time.monotonic() + patience
+        while wanted not in text and time.monotonic() < end:
+            if select.select([terminal], [], [], 0.1)[0]:
+                text += os.read(terminal, 65536)
+        self.assertIn(wanted, text)
+        return text
+
+    def test_completes_orders_and_redraws_the_carts_in_place(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 100, "--carts", 3, "--quiet") as sim:
+            terminal, inner = pty.openpty()
+            fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 120, 0, 0))
+            before = termios.tcgetattr(inner)
+            client = subprocess.Popen([PROGRAM, "--port", str(sim.port)], stdin=inner, stdout=inner, start_new_session=True)
+            first = self.until(terminal, b"    3  none")
+            self.assertTrue(first.startswith(b"\x1b[2J"), first[:20])
+            os.write(terminal, b"go_\t\t")  # two orders fit: they are listed
+            self.until(terminal, b"go_parking  go_node")
+            os.write(terminal, b"n\t")
+            self.until(terminal, b"> go_node ")
+            os.write(terminal, b"2 9\n")
+            self.until(terminal, b"go_node 0 for cart 2 accepted: transit T000000001")
+            self.until(terminal, b"    2  go_node")
+            self.until(terminal, b"    2  transit_done")
+            client.send_signal(signal.SIGINT)
+            self.assertEqual(client.wait(10), 0)
+            self.assertEqual(termios.tcgetattr(inner), before, "the terminal is not as it was")
+            os.close(terminal)
+            os.close(inner)
+
+    def test_reads_orders_from_a_pipe(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
+            done = subprocess.run([PROGRAM, "--port", str(sim.port)], input="load 1 3 2 box\nload 1 3 17\nlod\nidle_processing\n",
+                                  capture_output=True, text=True, timeout=30)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("load 0 for cart 1 accepted: transit T000000001", done.stdout)
+            self.assertIn("value out of range", done.stdout)
+            self.assertIn("lod: no such order", done.stdout)
+            self.assertIn("idle_processing 1 for cart 0 accepted", done.stdout)
+            self.assertEqual(sim.accepted(), {"box": 1})
 
 
 class Gateway(unittest.TestCase):
