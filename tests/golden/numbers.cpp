@@ -26,9 +26,9 @@ void each_string(std::size_t width, std::string_view alphabet, auto&& f) {
     }
 }
 std::vector<std::uint8_t> record_of(std::string_view payload) {
-    std::vector<std::uint8_t> all{0x02};
-    all.insert(all.end(), payload.begin(), payload.end());
-    all.push_back(0x03);
+    std::vector<std::uint8_t> all(payload.size() + 2, 0x02);
+    std::copy(payload.begin(), payload.end(), all.begin() + 1);
+    all.back() = 0x03;
     return all;
 }
 /// `columns` in place of the characters at `at` of a record; what `field` of the message M reads as, or nothing with bad_number.
