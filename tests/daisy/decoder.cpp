@@ -236,6 +236,17 @@ TEST(daisy_decoder, a_text_full_of_packets_does_not_win_while_hunting) {
     EXPECT_EQ(events(joined({ping, wrapped, ping})).substr(0, 6), "ok 0+5");
 }
 
+TEST(daisy_decoder, a_report_that_agrees_with_itself_is_waited_for_though_a_packet_lies_inside) {
+    const octets rejected = sealed(0x00, 0x31, 0xC4, {0x3F, 0xC8, 0, 0x2C, 1, 0, 0, 0xFF, 3, 0x0A, 0, 0x94, 0x75});  // intact itself
+    octets data{0};
+    append(data, rejected);
+    data.push_back(rejected.back());
+    const octets report = sealed(0x31, 0x00, 0x04, data);
+    EXPECT_EQ(events(joined({report, ping})), "ok 0+25 ok 25+5") << "the same in any cut";
+    data.back() ^= 1;
+    EXPECT_EQ(events(joined({sealed(0x31, 0x00, 0x04, data), ping})).substr(0, 15), "noise 0+5 ok 5+") << "one that does not agree is given up";
+}
+
 TEST(daisy_decoder, delivers_before_it_needs_the_next_byte) {
     decoder d;
     const octets stream = joined({ping, answer, strange});

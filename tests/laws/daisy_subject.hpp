@@ -67,7 +67,7 @@ struct subject<daisy::format> : byte_subject {
     /// A text or an error packet with packets, whole or broken, inside.
     static octets nested(rng& random) {
         octets inside;
-        while (inside.size() < 200 && !random.one_in(3)) {
+        while (inside.size() < 200 && (inside.empty() || !random.one_in(2))) {
             octets one = random_units<F>(random, manners::wild);
             if (random.one_in(4)) damage(random, one, 1, [&](auto& b) { change(random, b); });
             append(inside, one);
