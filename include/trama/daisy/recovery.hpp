@@ -79,6 +79,13 @@ constexpr bool find_short_landmark(const window& w, std::size_t& probe) noexcept
     return false;
 }
 
+/// True when the packet at `at`, of which six bytes or more have come, may yet turn out to be an error that agrees with
+/// itself. Such a one is a landmark whatever lies inside, and must be waited for.
+constexpr bool may_be_report(const window& w, std::size_t at) noexcept {
+    constexpr std::size_t around = header_size + 3;  // code, expected_crc and the rejected packet's own LARGO
+    return w[at + 3] == command_of(common::error::key) && w[at + header_size + 1] + around == w[at];
+}
+
 /// What a search through the bytes at hand came to.
 struct finding {
     std::size_t at = 0;   ///< The first byte that is still of interest: of the packet found, or of one still incomplete.
@@ -100,7 +107,7 @@ constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
         }
         if (size <= longest_short) return {at, false};
         probe = std::max(probe, at + 1);
-        if (!find_short_landmark(w, probe)) return {at, false};
+        if (!find_short_landmark(w, probe) || may_be_report(w, at)) return {at, false};
     }
     return {w.size(), false};
 }
