@@ -5,17 +5,21 @@
 
 source_dir=${SRC}/trama
 build_dir=${WORK}/trama
-targets=${FUZZ_TARGETS:-$(cd "$source_dir/fuzz/targets" && ls -- *.cpp | sed 's/\.cpp$//')}
+targets=()
+if [ -n "${FUZZ_TARGETS-}" ]; then
+    read -ra targets <<< "$FUZZ_TARGETS"
+else
+    for path in "$source_dir"/fuzz/targets/*.cpp; do targets+=("$(basename "$path" .cpp)"); done
+fi
 
 generator=()
 if command -v ninja > /dev/null; then generator=(-G Ninja); fi
 cmake -S "$source_dir" -B "$build_dir" "${generator[@]}" \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$CXXFLAGS" \
     -DTRAMA_BUILD_FUZZ=ON -DTRAMA_BUILD_TESTS=OFF -DTRAMA_FUZZ_ENGINE="$LIB_FUZZING_ENGINE"
-# shellcheck disable=SC2086
-cmake --build "$build_dir" -j "$(nproc)" --target $(printf 'fuzz_%s ' $targets)
+cmake --build "$build_dir" -j "$(nproc)" --target "${targets[@]/#/fuzz_}"
 
-for target in $targets; do
+for target in "${targets[@]}"; do
     name=fuzz_$target
     format=${target%%_*}
     cp "$build_dir/fuzz/$name" "$OUT/"
