@@ -200,7 +200,8 @@ class Small(ToolCase):
         self.assertLess(large, small + 4 * self.MEGA)
 
     def test_decode_messages(self):
-        self.flat(["decode", "daisy"], b"".join(map(daisy_packet, DAISY)), size=64 * self.MEGA, status=0)
+        long = packet("00 10 81", b"long descriptions keep the number of lines down".ljust(251)) * 20
+        self.flat(["decode", "daisy"], b"".join(map(daisy_packet, DAISY)) + long, size=64 * self.MEGA, status=0)
         self.flat(["decode", "gateway"], b"".join(map(gateway_record, GATEWAY)), size=64 * self.MEGA, status=0)
         self.flat(["decode", "can"], b"".join(map(can_text, CAN)), size=64 * self.MEGA, status=0)
 
