@@ -8,7 +8,7 @@ namespace trama::bench {
 template <>
 struct traits<can::format> {
     [[gnu::always_inline]] static std::uint64_t word_of_envelope(const can::packet& p) { return p.envelope().id; }
-    static std::uint64_t two_fields(const can::packet& p) {
+    [[gnu::always_inline]] static std::uint64_t two_fields(const can::packet& p) {
         const auto v = view_as<can::actuator_state>(p);
         return v ? std::uint64_t{*v->get<&can::actuator_state::actuator>()} + *v->get<&can::actuator_state::state>() : 0;
     }

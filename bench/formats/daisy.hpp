@@ -11,7 +11,7 @@ struct traits<daisy::format> {
         const auto e = p.envelope();
         return e.destination.octet + 3U * e.source.octet;
     }
-    static std::uint64_t two_fields(const daisy::packet& p) {
+    [[gnu::always_inline]] static std::uint64_t two_fields(const daisy::packet& p) {
         using message = daisy::dc_motor::get_dc_speed_reply;
         const auto v = view_as<message>(p);
         if (!v) return 0;

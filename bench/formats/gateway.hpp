@@ -9,7 +9,7 @@ template <>
 struct traits<gateway::format> {
     [[gnu::always_inline]] static std::uint64_t word_of_envelope(const gateway::packet&) { return 0; }
     /// Which cart, and where it goes next.
-    static std::uint64_t two_fields(const gateway::packet& p) {
+    [[gnu::always_inline]] static std::uint64_t two_fields(const gateway::packet& p) {
         using gateway::cart_state;
         const auto v = view_as<cart_state>(p);
         if (!v) return 0;

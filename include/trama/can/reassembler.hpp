@@ -89,12 +89,12 @@ private:
     /// Where the slot of `id` is, if it has one. No branch: which identifier comes next cannot be predicted.
     [[gnu::always_inline]] constexpr std::size_t place_of(std::uint32_t id) const noexcept {
         std::size_t place = 0;
-        for (std::size_t i = Ids; i-- != 0;) place = ids_[i] == id ? i : place;
+        for (std::size_t i = 1; i < Ids; ++i) place = ids_[i] == id ? i : place;
         return place;
     }
     constexpr slot* slot_of(std::uint32_t id) noexcept {
-        for (slot& s : slots_) if (s.id == id) return &s;
-        return nullptr;
+        slot& s = slots_[place_of(id)];
+        return s.id == id ? &s : nullptr;
     }
     constexpr bool is_late(const slot& s, std::uint64_t now) const noexcept { return now > s.last && now - s.last > timeout_; }
     /// The partial message that stalled first, of those that are overdue.

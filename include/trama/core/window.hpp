@@ -16,6 +16,10 @@ public:
 
     constexpr std::size_t size() const noexcept { return first_.size() + second_.size(); }
     constexpr std::uint8_t operator[](std::size_t i) const noexcept { return i < first_.size() ? first_[i] : second_[i - first_.size()]; }
+    /// The bytes from `at` on that lie in one piece. Precondition: `at` is below `size()`.
+    constexpr std::span<const std::uint8_t> run(std::size_t at) const noexcept {
+        return at < first_.size() ? first_.subspan(at) : second_.subspan(at - first_.size());
+    }
     /// Exclusive or of `n` bytes from `at` on.
     constexpr std::uint8_t xor_of(std::size_t at, std::size_t n) const noexcept {
         const std::size_t here = at < first_.size() ? std::min(n, first_.size() - at) : 0;

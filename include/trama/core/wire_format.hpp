@@ -24,6 +24,18 @@ struct message_list {
     static constexpr bool contains = (std::is_same_v<M, Messages> || ...);
 };
 
+template <class List, template <class> class Keep>
+struct filtered;
+template <template <class> class Keep>
+struct filtered<message_list<>, Keep> { using type = message_list<>; };
+template <class M, class... Rest, template <class> class Keep>
+struct filtered<message_list<M, Rest...>, Keep> {
+    template <class... Others>
+    static message_list<M, Others...> behind(message_list<Others...>);
+    using rest = typename filtered<message_list<Rest...>, Keep>::type;
+    using type = typename std::conditional_t<Keep<M>::value, decltype(behind(rest{})), rest>;
+};
+
 template <class... Lists>
 struct joined;
 template <class... A>

@@ -74,13 +74,33 @@ constexpr bool documented_addresses(unsigned destination, unsigned source, unsig
     return source < 0x70 && (destination < 0x70 || everyone_called);
 }
 
+template <class M>
+using has_variable_length = std::bool_constant<!M::layout.fixed>;
+/// The few messages whose LARGO is not fixed; a search among these costs less than a jump into all messages.
+using variable_messages = typename filtered<messages, has_variable_length>::type;
+
+/// Calls `f.operator()<M>()` for the message at `index` if its LARGO is not fixed.
+constexpr void for_variable(std::size_t index, auto&& f) noexcept {
+    const daisy::key key = known.keys[index];
+    variable_messages::each([&]<class M>() {
+        if (key == M::key) f.template operator()<M>();
+    });
+}
+
+/// False when the five bytes at `p` are no documented header. True when they may be one.
+constexpr bool may_be_documented(const std::uint8_t* p) noexcept {
+    const auto head = load_le<std::uint32_t>(p);
+    const unsigned found = known.quick[known.rows[catalogue::pair_of(head)] + (head >> 24)];
+    const bool fixed = found >> 7 == (head & 0xFF), varies = found >> 7 == variable && (found & 0x7F) != unknown;
+    const bool everyone_called = (head & 0x4000FF00) == everyone.octet << 8;
+    return fixed || varies || everyone_called;
+}
+
 /// Whether the message at `index` can have DATA of `size` bytes; `first` is its first byte, null while that has not come.
 constexpr bool body_fits(std::size_t index, std::size_t size, const std::uint8_t* first) noexcept {
     if (known.fixed_len[index] != variable) return size + header_size == known.fixed_len[index];
     bool fits = false;
-    messages::at(index, [&]<class M>() {
-        if constexpr (!M::layout.fixed) fits = M::body_fits(size, first);
-    });
+    for_variable(index, [&]<class M>() { fits = M::body_fits(size, first); });
     return fits;
 }
 

@@ -47,12 +47,15 @@ struct format {
         if (!fits_wire(m)) return unfit(m);
         const std::size_t size = encoded_size(m);
         if (out.size() < size) return errc::buffer_too_small;
-        out[0] = static_cast<unit>(size - 1);
-        out[1] = e.destination.octet;
-        out[2] = e.source.octet;
-        out[3] = command_of(M::key);
+        const std::uint32_t head = static_cast<std::uint32_t>(size - 1) | std::uint32_t{e.destination.octet} << 8 |
+                                   std::uint32_t{e.source.octet} << 16 | std::uint32_t{command_of(M::key)} << 24;
+        store_le(out.data(), head);
         store_body(out.data() + header_size, m);
-        out[size - 1] = checksum(out.first(size - 1));
+        std::uint8_t crc = fold_xor(head);
+        // Short bodies byte by byte: a word read over bytes that were just written one by one would have to wait for them.
+        if constexpr (M::layout.fixed) for (std::size_t i = 0; i != M::layout.size; ++i) crc ^= out[header_size + i];
+        else crc ^= checksum(out.subspan(header_size, size - min_packet));
+        out[size - 1] = crc;
         return size;
     }
 };

@@ -9,6 +9,15 @@ namespace trama::daisy::recovery {
 
 inline constexpr std::size_t longest_short = 22;  ///< The longest packet that is neither text nor a rejected packet.
 
+/// The first place from `at` on where a documented header may begin, or where its five bytes do not lie in one piece.
+constexpr std::size_t next_candidate(const window& w, std::size_t at) noexcept {
+    if (at >= w.size()) return at;
+    const auto run = w.run(at);
+    std::size_t i = 0;
+    while (i + min_packet <= run.size() && !may_be_documented(run.data() + i)) ++i;
+    return at + i;
+}
+
 /// True when a whole packet with a documented header and a good CRC begins at `at`.
 constexpr bool is_intact(const window& w, std::size_t at, std::size_t end) noexcept {
     if (judge_header(w, at, std::min<std::size_t>(end - at, header_size + 1)) != header::documented) return false;
@@ -19,10 +28,10 @@ constexpr bool is_intact(const window& w, std::size_t at, std::size_t end) noexc
 /// True when an intact packet that can hold nothing but numbers lies wholly behind the first byte of `whole`.
 constexpr bool holds_short_packet(std::span<const std::uint8_t> whole) noexcept {
     const window w({}, whole);
-    for (std::size_t q = 1; q + min_packet <= whole.size(); ++q) {
+    for (std::size_t q = next_candidate(w, 1); q + min_packet <= whole.size(); q = next_candidate(w, q + 1)) {
         if (!is_intact(w, q, whole.size())) continue;
-        bool short_one = false;
-        messages::at(index_of(w[q + 1], w[q + 2], w[q + 3]), [&]<class M>() { short_one = !carries_bytes<M>; });
+        bool short_one = true;
+        for_variable(index_of(w[q + 1], w[q + 2], w[q + 3]), [&]<class M>() { short_one = !carries_bytes<M>; });
         if (short_one) return true;
     }
     return false;
@@ -33,8 +42,10 @@ constexpr bool holds_short_packet(std::span<const std::uint8_t> whole) noexcept 
 constexpr bool is_landmark(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
     if (known.fixed_len[index] != variable) return true;
     bool evident = false;
-    messages::at(index, [&]<class M>() {
-        if constexpr (!M::layout.fixed) {
+    for_variable(index, [&]<class M>() {
+        if constexpr (!carries_bytes<M>) {
+            evident = true;
+        } else {
             M m;
             evident = !load_body(whole.subspan(header_size, whole.size() - min_packet), m) && m.evident();
             if constexpr (requires { m.description; }) evident = evident && !holds_short_packet(whole);
@@ -54,7 +65,7 @@ constexpr bool is_landmark_at(const window& w, std::size_t at) noexcept {
 /// True when a landmark lies wholly behind the first byte of the packet at `at`.
 constexpr bool hides_landmark(const window& w, std::size_t at) noexcept {
     const std::size_t end = at + w[at] + 1;
-    for (std::size_t q = at + 1; q + min_packet <= end; ++q)
+    for (std::size_t q = next_candidate(w, at + 1); q + min_packet <= end; q = next_candidate(w, q + 1))
         if (is_intact(w, q, end) && is_landmark_at(w, q)) return true;
     return false;
 }
@@ -64,10 +75,15 @@ constexpr bool is_acceptable(const window& w, std::size_t at) noexcept {
     return is_intact(w, at, w.size()) && (is_landmark_at(w, at) || !hides_landmark(w, at));
 }
 
+/// As `is_acceptable` for the whole packet at `at`, whose header is documented.
+constexpr bool is_acceptable_body(const window& w, std::size_t at) noexcept {
+    return w.xor_of(at, std::size_t{w[at]} + 1) == 0 && (is_landmark_at(w, at) || !hides_landmark(w, at));
+}
+
 /// Looks for a short landmark from `probe` on, as far as the bytes go. True when one is found, at `probe`. A long
 /// candidate that it lies in can then be given up at once instead of when its last byte has come.
 constexpr bool find_short_landmark(const window& w, std::size_t& probe) noexcept {
-    for (; probe < w.size(); ++probe) {
+    for (; (probe = next_candidate(w, probe)) < w.size(); ++probe) {
         const std::size_t left = w.size() - probe;
         const header h = judge_header(w, probe, std::min<std::size_t>(left, header_size + 1));
         if (h == header::unclear) return false;
@@ -95,14 +111,14 @@ struct finding {
 /// The leftmost acceptable packet of `w`, or the leftmost place where one may yet be when more bytes come.
 /// `probe` remembers how far the inside of a long candidate has been searched.
 constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
-    for (std::size_t at = 0; at < w.size(); ++at) {
+    for (std::size_t at = next_candidate(w, 0); at < w.size(); at = next_candidate(w, at + 1)) {
         const std::size_t left = w.size() - at;
         const header h = judge_header(w, at, std::min<std::size_t>(left, header_size + 1));
         if (h == header::unclear) return {at, false};
         if (h != header::documented) continue;
         const std::size_t size = std::size_t{w[at]} + 1;
         if (size <= left) {
-            if (is_acceptable(w, at)) return {at, true};
+            if (is_acceptable_body(w, at)) return {at, true};
             continue;
         }
         if (size <= longest_short) return {at, false};
@@ -114,7 +130,7 @@ constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
 
 /// As `hunt` where no more bytes will come: packets that are cut off are passed over.
 constexpr finding hunt_last(const window& w) noexcept {
-    for (std::size_t at = 0; at < w.size(); ++at)
+    for (std::size_t at = next_candidate(w, 0); at < w.size(); at = next_candidate(w, at + 1))
         if (is_acceptable(w, at)) return {at, true};
     return {w.size(), false};
 }

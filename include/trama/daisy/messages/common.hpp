@@ -1,5 +1,6 @@
 #pragma once
 
+#include "trama/core/ascii.hpp"
 #include "trama/daisy/message.hpp"
 
 /// Commands that every board has. [daisy §3]
@@ -25,6 +26,7 @@ inline constexpr rule text_size{0, 251, 0, 0, {}, "0..251 bytes"};
 
 /// True when text has no control characters but tab, CR and LF, and nothing beyond ASCII: what a decoder trusts.
 constexpr bool is_plain(byte_view text) noexcept {
+    if (all_printable(text.bytes().data(), text.size())) return true;
     for (const std::uint8_t c : text.bytes())
         if ((c < 0x20 && c != '\t' && c != '\r' && c != '\n') || c > 0x7E) return false;
     return true;

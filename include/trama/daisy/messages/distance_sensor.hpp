@@ -91,7 +91,6 @@ struct readings_reply {
         if (first == nullptr) return n % 2 == 1 && n <= 17;
         return n == 1 + 2 * static_cast<std::size_t>(std::popcount(*first));
     }
-    constexpr bool evident() const noexcept { return true; }
 };
 
 /// GET VALUE. [daisy §8.5]
