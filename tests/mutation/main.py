@@ -25,6 +25,7 @@ def options(arguments=None):
     p.add_argument("--only", default="", metavar="PATTERN", help="faults whose path, kind or id match, such as '*decoder*', crc or 1a2b3c4d")
     p.add_argument("--count", type=int, default=240, metavar="N", help="so many faults, a fair sample of all (default 240; 0: all)")
     p.add_argument("--fuzz-time", type=float, default=60.0, metavar="SECONDS", help="fuzzing for each fault that the tests miss, all targets together (default 60)")
+    p.add_argument("--programs", default="*", metavar="PATTERNS", help="which programs look for them, such as 'test_can,fuzz_can_*' (default all that apply)")
     p.add_argument("--thorough", action="store_true", help="go on after the first program that notices, to see which others do")
     p.add_argument("--work", type=Path, default=ROOT / "build" / "mutants", metavar="DIR", help="where copies and results go (default build/mutants)")
     p.add_argument("--list", action="store_true", help="print the faults and end")
@@ -110,7 +111,7 @@ def main(arguments=None):
             todo.put(f)
     print(f"{len(all_chosen)} faults, {len(all_chosen) - todo.qsize()} known from before", flush=True)
     stop = threading.Event()
-    benches = [run.Bench(ROOT, o.work / f"job{i}", o.fuzz_time, o.thorough, stop.is_set) for i in range(o.jobs)]
+    benches = [run.Bench(ROOT, o.work / f"job{i}", o.programs, o.fuzz_time, o.thorough, stop.is_set) for i in range(o.jobs)]
     trouble = []
 
     def work(bench):

@@ -1,4 +1,5 @@
 """Builds one fault in a copy of the tree and looks what notices it."""
+import fnmatch
 import os
 import re
 import resource
@@ -25,9 +26,10 @@ def limits():
 class Bench:
     """A copy of the tree with its build folder, which every fault starts from in the same state."""
 
-    def __init__(self, root, folder, fuzz_seconds, thorough, stopped):
+    def __init__(self, root, folder, programs, fuzz_seconds, thorough, stopped):
         self.root, self.folder = root, folder
         self.tree, self.build, self.pristine = folder / "tree", folder / "build", folder / "pristine"
+        self.programs = [p.strip() for p in programs.split(",")]
         self.fuzz_seconds, self.thorough, self.stopped = fuzz_seconds, thorough, stopped
         self.log = folder / "log"
         self.process = None
@@ -73,7 +75,8 @@ class Bench:
             tests = [t for t in tests if t not in others]
         first = {f"test_{module}": 0, "test_golden": 1, "test_core": 2 if module else 0, "test_laws": 4}
         ideas = {"differential": 0, "roundtrip": 1, "stream": 2, "recovery": 3, "reassembly": 3, "text": 4, "decode": 5}
-        return sorted(tests, key=lambda t: (first.get(t, 3), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
+        order = sorted(tests, key=lambda t: (first.get(t, 3), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
+        return [n for n in order if any(fnmatch.fnmatchcase(n, p) for p in self.programs)]
 
     # One fault
 
