@@ -140,25 +140,23 @@ class stretch {
     if (!seen_.complete(p_, end_)) return lose_step("truncated");
     if (seen_.xor_over(p_, seen_.packet_end(p_)) != 0) return lose_step("bad_checksum");
     if (seen_.landmark(p_, end_)) {
-      if (hunter_active_) trust_ = std::max(0, trust_ - shadow_cost(rank::landmark));
-      trust_ = std::min(trust_ + 1, most_trust);
+      if (hunter_active_) (void)shadow_finds(rank::landmark);
+      vouched_ = true;
       return accept();
     }
     if (!hunter_active_) {
       hunter_active_ = true;
       s_ = p_ + 1;
     }
-    const int cost = shadow_cost(seen_.documented_packet(p_, end_) ? rank::documented : rank::undocumented);
-    if (cost > trust_) return lose_step("noise");
-    trust_ -= cost;
+    const rank judged = seen_.documented_packet(p_, end_) ? rank::documented : rank::undocumented;
+    const bool found = shadow_finds(judged);
+    if (found && (judged == rank::undocumented || !vouched_)) return lose_step("noise");
+    vouched_ = false;
     accept();
   }
 
   // How much a packet says about the phase it was found in.
   enum class rank { undocumented, documented, landmark };
-  static constexpr int most_trust = 2;
-  static constexpr int accident = 2;  // a find that nothing documented follows
-  static constexpr int decisive = most_trust + 1;
 
   // The packet at q, which is complete, is evidence against accepting one of rank `judged`.
   bool evidence(std::size_t q, std::size_t end, rank judged) const {
@@ -172,15 +170,15 @@ class stretch {
     p_ = after;
   }
 
-  // The shadow hunter works on all bytes up to the end of the packet at p_; gives what its finds cost.
-  int shadow_cost(rank judged) {
+  // The shadow hunter works on all bytes up to the end of the packet at p_; tells whether it found any.
+  bool shadow_finds(rank judged) {
     const std::size_t seen_end = seen_.packet_end(p_);
-    int cost = 0;
+    bool found = false;
     while (s_ < seen_end) {
       if (s_ == p_) {
         if (judged == rank::landmark) {
           hunter_active_ = false;
-          return cost;
+          return found;
         }
         ++s_;
         continue;
@@ -189,18 +187,17 @@ class stretch {
       if (header == sight::header::impossible) {
         ++s_;
       } else if (header == sight::header::possible || !seen_.complete(s_, seen_end)) {
-        return cost;  // waits for more bytes
+        return found;  // waits for more bytes
       } else if (!evidence(s_, seen_end, judged)) {
         ++s_;
       } else if (accepted_.contains(s_)) {
         s_ = p_;
       } else {
         s_ = seen_.packet_end(s_);
-        const bool followed = s_ < seen_end && seen_.documented_header(s_, seen_end) == sight::header::documented;
-        cost += followed ? decisive : accident;
+        found = true;
       }
     }
-    return cost;
+    return found;
   }
 
   void lose_step(const std::string& code) {
@@ -216,13 +213,13 @@ class stretch {
   // Ends in step behind the leftmost acceptable packet, or at the end of the stretch.
   void hunt(daisy_event loss, std::size_t from) {
     hunter_active_ = false;
-    trust_ = 0;
+    vouched_ = false;
     std::size_t q = from;
     while (q < end_ && !seen_.acceptable_while_hunting(q, end_)) ++q;
     if (q >= end_) return report_rest(loss);
     report(loss, q);
     p_ = q;
-    if (seen_.landmark(q, end_)) trust_ = 1;
+    vouched_ = seen_.landmark(q, end_);
     accept();
   }
 
@@ -255,7 +252,7 @@ class stretch {
   std::size_t p_;
   std::size_t end_;
   std::vector<daisy_event>& events_;
-  int trust_ = 0;
+  bool vouched_ = false;  // the packet accepted last was a landmark
   bool hunter_active_ = false;
   std::size_t s_ = 0;
   std::set<std::size_t> accepted_ = {};

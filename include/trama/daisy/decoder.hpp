@@ -57,6 +57,10 @@ public:
     constexpr const trama::counters& counters() const noexcept { return counters_; }
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
+    /// The offset of the next byte, for callers that begin inside a stream.
+    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset; }
+    /// In step beyond doubt and with nothing kept: from here on two settled decoders report the same of the same bytes.
+    constexpr bool settled() const noexcept { return quick_from_ != never_quick; }
 
 private:
     using bytes_in = std::span<const std::uint8_t>;
@@ -108,7 +112,7 @@ private:
     static constexpr std::size_t readable = 16, never_quick = std::numeric_limits<std::size_t>::max();
     static_assert(std::all_of(known.fixed_len.begin(), known.fixed_len.end(), [](auto len) { return len < readable || len == variable; }));
 
-    /// How many bytes the quick path needs: `readable` while in step and at full trust, with nothing kept or announced.
+    /// How many bytes the quick path needs: `readable` while in step and behind a landmark, with nothing kept or announced.
     std::size_t quick_from_ = never_quick;
     bool hunting_ = true;
     bool draining_ = false;  ///< The input ended: what is kept is all there is.

@@ -12,9 +12,9 @@ enum class standing : std::uint8_t {
 };
 
 /// Judges whether a decoder that believes to be in step may accept a packet that proves nothing. From the first such
-/// packet on a shadow reads the same bytes in search of packets of higher standing in another phase. One that a
-/// documented header follows decides the matter. Another, which may be an accident inside the packet's data, costs two
-/// points of trust; each landmark in step earns one.
+/// packet on a shadow reads the same bytes in search of packets of higher standing in another phase. One find is enough
+/// to refuse an undocumented packet. A documented one is taken all the same if a landmark came directly before it: a
+/// phase of documented packets only is as good as any.
 class phase_judge {
 public:
     using history = std::array<std::uint8_t, max_packet>;
@@ -24,52 +24,47 @@ public:
     /// True while the shadow reads along; the decoder must then show every packet to `accepts`.
     constexpr bool watching() const noexcept { return watching_; }
     /// True when another landmark changes nothing.
-    constexpr bool settled() const noexcept { return !watching_ && trust_ == most_trust; }
+    constexpr bool settled() const noexcept { return !watching_ && vouched_; }
     /// A landmark was accepted while the shadow was not reading.
-    constexpr void confirm() noexcept { trust_ = static_cast<std::uint8_t>(trust_ + (trust_ < most_trust ? 1 : 0)); }
+    constexpr void confirm() noexcept { vouched_ = true; }
 
     /// Whether the decoder may accept `packet`, which is intact. Landmarks always are.
     /// `past` holds the bytes before it that the shadow has not done with.
     constexpr bool accepts(std::span<const std::uint8_t> packet, standing s, history& past) noexcept {
-        const bool landmark = s == standing::landmark;
         if (!watching_) {
-            if (landmark) { confirm(); return true; }
+            if (s == standing::landmark) { confirm(); return true; }
             watching_ = true;
             size_ = at_ = boundary_ = 0;
         }
         const window w({past.data(), size_}, packet);
-        const unsigned cost = search(w, s);
-        if (!landmark && cost > trust_) return false;
-        trust_ = static_cast<std::uint8_t>(cost < trust_ ? trust_ - cost : 0);
-        if (landmark) confirm();
+        const bool contradicted = search(w, s);
+        if (contradicted && (s == standing::undocumented || (s == standing::documented && !vouched_))) return false;
+        vouched_ = s == standing::landmark;
         if (watching_) keep(w, packet, past);
         return true;
     }
 
 private:
-    static constexpr std::uint8_t most_trust = 2;
-    static constexpr unsigned accident = 2, decisive = most_trust + 1;
-
-    /// Runs the shadow over `w`, whose last packet begins at `size_`. Returns what it met in another phase, in points.
-    constexpr unsigned search(const window& w, standing judged) noexcept {
-        unsigned cost = 0;
+    /// Runs the shadow over `w`, whose last packet begins at `size_`. True when it met a packet of another phase.
+    constexpr bool search(const window& w, standing judged) noexcept {
+        bool met = false;
         for (;;) {
             if (at_ == size_) {
-                if (judged == standing::landmark) { watching_ = false; return cost; }  // both phases agree
+                if (judged == standing::landmark) { watching_ = false; return met; }  // both phases agree
                 ++at_;
             }
             const std::size_t left = w.size() - at_;
             const header h = judge_header(w, at_, std::min<std::size_t>(left, header_size + 1));
-            if (h == header::unclear) return cost;
+            if (h == header::unclear) return met;
             const std::size_t size = std::size_t{w[at_]} + 1;
-            if (h == header::documented && size > left) return cost;
+            if (h == header::documented && size > left) return met;
             if (h != header::documented || !outranks(w, judged)) {
                 ++at_;
             } else if (is_boundary(w)) {
                 at_ = size_;  // an accepted packet: the phases agreed there
             } else {
+                met = true;
                 at_ += size;
-                cost += begins_packet(w) ? decisive : accident;
             }
         }
     }
@@ -77,11 +72,6 @@ private:
     constexpr bool outranks(const window& w, standing judged) const noexcept {
         if (judged == standing::undocumented) return recovery::is_acceptable(w, at_);
         return recovery::is_intact(w, at_, w.size()) && recovery::is_landmark_at(w, at_);
-    }
-    /// True when a documented header stands at the shadow's place.
-    constexpr bool begins_packet(const window& w) const noexcept {
-        const std::size_t left = w.size() - at_;
-        return left >= header_size && judge_header(w, at_, std::min<std::size_t>(left, header_size + 1)) == header::documented;
     }
     /// True when the shadow stands where an earlier packet was accepted.
     constexpr bool is_boundary(const window& w) noexcept {
@@ -100,7 +90,7 @@ private:
         at_ = 0;
     }
 
-    std::uint8_t trust_ = 0;     ///< 0..most_trust.
+    bool vouched_ = false;       ///< The packet accepted last was a landmark.
     bool watching_ = false;
     std::size_t size_ = 0;       ///< Bytes of the past.
     std::size_t at_ = 0;         ///< The shadow's place in past and packet.
