@@ -51,6 +51,11 @@ inline int reassembly(std::span<const std::uint8_t> input) {
     const auto ticked = listen(frames, timeout, true);
     const auto quiet = listen(frames, timeout, false);
 
+    // A DLC above 8 belongs to no message, whatever it interrupts.
+    for (std::size_t i = 0; i != frames.size(); ++i)
+        if (frames[i].length > 8 && frames[i].classic() && frames[i].id <= can::master_2)
+            require(std::any_of(quiet.begin(), quiet.end(), [&](const auto& h) { return h.code == errc::bad_length && h.offset == i && h.length == 1; }), "a DLC above 8 is bad_length");
+
     // Identifiers do not touch each other: what one says is the same without the others, place and order aside.
     for (std::uint32_t id = can::central_master; id <= can::master_2; ++id) {
         std::vector<can::frame> own;

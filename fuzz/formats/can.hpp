@@ -15,7 +15,8 @@ struct traits<can::format> {
     static constexpr std::size_t recovery_bound = 0;
 
     /// Bits 0..1 of the first octet: identifier 0x80..0x83, the last of them foreign; bit 2 extended, 3 remote, 4 FD, 5 error,
-    /// taken only where bits 6 and 7 are set, so that most frames are of the protocol.
+    /// taken only where bits 6 and 7 are set, so that most frames are of the protocol. Bits 2..6 set, but not 7: the DLC is
+    /// the second octet as it is, which no bus delivers but a caller may.
     static can::frame frame_of(std::span<const std::uint8_t> ten, std::uint64_t time) {
         can::frame f{};
         f.id = 0x80U + (ten[0] & 3);
@@ -25,7 +26,7 @@ struct traits<can::format> {
             f.fd = (ten[0] & 16) != 0;
             f.error = (ten[0] & 32) != 0;
         }
-        f.length = static_cast<std::uint8_t>(ten[1] % 9);
+        f.length = (ten[0] & 0xFC) == 0x7C ? ten[1] : static_cast<std::uint8_t>(ten[1] % 9);
         std::copy_n(ten.begin() + 2, 8, f.data.begin());
         f.time = time;
         return f;
@@ -67,7 +68,7 @@ struct traits<can::format> {
         std::string line = text;
         if (f.remote) return line + "R";
         if (f.fd) line += "#0";
-        for (std::size_t i = 0; i != f.length; ++i) {
+        for (std::size_t i = 0; i < f.length && i != f.data.size(); ++i) {
             std::snprintf(text, sizeof text, "%02X", unsigned{f.data[i]});
             line += text;
         }

@@ -21,7 +21,7 @@ struct catalogue {
     /// For one look-up each: a letter's row of `first`, the message by row and DLC & 15, frame lengths by message and place.
     std::array<std::uint8_t, 256> rows{};
     std::array<std::array<std::uint8_t, 16>, 32> first{};
-    std::array<std::array<std::uint8_t, 4>, unknown + 1> lengths{};
+    std::array<std::array<std::uint16_t, 4>, unknown + 1> lengths{};
 
     bool whole_frames = true;  ///< All frames but a message's last have eight bytes.
 
@@ -38,7 +38,7 @@ struct catalogue {
             letters |= 1U << letter;
         });
         for (auto& row : first) row.fill(unknown);
-        lengths[unknown].fill(0xFF);  // no DLC
+        lengths[unknown].fill(0x100);  // no DLC, not even an impossible one
         for (std::size_t letter = 0; letter != index.size(); ++letter) {
             rows['A' + letter] = static_cast<std::uint8_t>(letter + 1);
             for (std::size_t length = min_first_length; length != index[letter].size(); ++length) first[letter + 1][length] = index[letter][length];
