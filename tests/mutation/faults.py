@@ -89,13 +89,16 @@ def all_faults(root):
 
 
 def deal(faults):
-    """Deals the faults out file by file and, in a file, kind by kind."""
+    """Deals the faults out file by file and, in a file, kind by kind, the rare kinds first."""
+    often = {}
+    for f in faults:
+        often[f.kind] = often.get(f.kind, 0) + 1
     by_file = {}
     for f in sorted(faults, key=lambda f: f.ident):
         by_file.setdefault(f.path, {}).setdefault(f.kind, []).append(f)
     hands = []
     for path in sorted(by_file):
-        kinds = [by_file[path][k] for k in sorted(by_file[path])]
+        kinds = [by_file[path][k] for k in sorted(by_file[path], key=lambda k: (often[k], k))]
         hand = []
         while any(kinds):
             for k in kinds:

@@ -1,0 +1,56 @@
+"""Tests of how faults are derived; nothing is built."""
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+from mutation import faults, main  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SAMPLE = '''#pragma once
+// a < b and "quoted" stay
+constexpr bool f(int a, int b) noexcept {
+    x_ ^= a;  // crc
+    return a < b && b != 3;
+}
+const char* s = "a < b";
+'''
+
+
+class deriving(unittest.TestCase):
+    def test_finds_operators_constants_and_steps(self):
+        found = {(f.kind, f.old.strip(), f.new.strip()) for f in faults.faults_in("x.hpp", SAMPLE)}
+        for expected in (("compare", "<", "<="), ("logic", "&&", "||"), ("compare", "!=", "=="), ("constant", "3", "3 + 1"), ("crc", "^=", "|=")):
+            self.assertIn(expected, found)
+
+    def test_leaves_comments_strings_and_directives_alone(self):
+        for fault in faults.faults_in("x.hpp", SAMPLE):
+            self.assertIn(fault.line, (3, 4, 5), fault.title)
+
+    def test_a_fault_changes_one_place(self):
+        for fault in faults.faults_in("x.hpp", SAMPLE):
+            changed = fault.applied_to(SAMPLE)
+            self.assertEqual(changed[:fault.start], SAMPLE[:fault.start])
+            self.assertTrue(changed.endswith(SAMPLE[fault.end:]))
+            self.assertNotEqual(changed, SAMPLE)
+
+
+class sampling(unittest.TestCase):
+    def test_the_library_has_enough_faults_each_with_its_own_name(self):
+        everything = faults.all_faults(ROOT)
+        self.assertGreater(len(everything), 1000)
+        self.assertEqual(len({f.ident for f in everything}), len(everything))
+
+    def test_the_sample_covers_every_kind_and_module(self):
+        sample = faults.all_faults(ROOT)[:main.options([]).count]
+        self.assertGreaterEqual(len(sample), 200)
+        self.assertLessEqual({"compare", "logic", "arithmetic", "bits", "bound", "constant", "width", "answer", "code", "step", "crc", "slot"}, {f.kind for f in sample})
+        self.assertLessEqual({"core", "daisy", "can", "gateway"}, {f.path.split("/")[2] for f in sample if f.path.startswith("include/")})
+
+    def test_explanations_are_of_faults_that_exist(self):
+        self.assertLessEqual(set(main.explained()), {f.ident for f in faults.all_faults(ROOT)})
+
+
+if __name__ == "__main__":
+    unittest.main()
