@@ -41,13 +41,13 @@ public:
         if (e.news == refused) c.state = cart::waits;
         if (e.news != in_doubt && e.news != timed_out) return;
         ++doubtful_;
-        c.state = cart::doubtful;
+        c.state = cart::unsure;
         if (e.news == timed_out) link_.reconnect();
     }
 
 private:
     struct cart {
-        enum { waits, ready, asked, doubtful } state = waits;
+        enum { waits, ready, asked, unsure } state = waits;
         unsigned long order = 0;
     };
     cart& at(std::uint32_t id) { return table_[id]; }
@@ -63,7 +63,7 @@ private:
         cart& c = at(m->cart_id);
         if (m->cross_confirmation_needed == 1) (void)link_.send(gateway::cross_granted{0, m->cart_id, m->end_node});
         if (c.state == cart::asked) return;
-        if (c.state == cart::doubtful) {
+        if (c.state == cart::unsure) {
             if (gateway::find_cargo(*m, trama::text<10>(name(c.order))) != nullptr) return settle(c);
             c.state = cart::waits;  // it never arrived: the same order once more
         }

@@ -46,20 +46,25 @@ define_function asleep(std::uint8_t node) {
     return f;
 }
 
-/// How many sensors a node has to report at `t`; -1 within ten minutes of a change, when clocks may differ.
-int expected_count(const define_function& f, const moment& t) {
+/// How many sensors a node has to report between two moments; -1 if that changes in between, give or take ten minutes.
+int expected_count(const define_function& f, const moment& first, const moment& last) {
     constexpr std::array<std::uint8_t, 4> all{0, 1, 2, 3};
-    const auto count = [&](std::int64_t off) { return int{can::sensors_at(f, all, can::moment_at(can::seconds_of(t) + off), true).count}; };
-    return count(-600) == count(600) ? count(0) : -1;
+    const auto count = [&](std::int64_t at) { return int{can::sensors_at(f, all, can::moment_at(at), true).count}; };
+    const std::int64_t from = can::seconds_of(first) - 600, to = can::seconds_of(last) + 600;
+    return count(from) == count(to) && count(from) == count((from + to) / 2) ? count(from) : -1;
 }
 
-int central(port bus, const can::timing& t, std::uint64_t end) {
+/// For programs that hardly get the processor: how long they may go on when the day is over and the work is not done.
+constexpr std::uint64_t grace = 120000000;
+
+/// Tells everyone the time, once a second, until it is stopped.
+int central(port bus, const can::timing& t) {
     station s(bus, can::central_master, t, false, "central");
     can::calendar clock(t.second);
     clock.set(dawn, micros());
     std::uint64_t next = 0;
     unsigned confirmed = 0;
-    while (stopped == 0 && micros() < end) {
+    while (stopped == 0) {
         if (micros() >= next && s.master.waiting() == 0) {
             (void)s.master.set_every_clock(clock.at(micros()));
             next = micros() + 1000000;
@@ -76,6 +81,7 @@ int central(port bus, const can::timing& t, std::uint64_t end) {
 int govern(port bus, std::uint32_t id, const char* name, const can::timing& t, std::uint64_t end, const std::vector<plan>& plans) {
     station s(bus, id, t, id == can::master_1, name);
     std::map<int, int> read, wrong, last_hour;
+    std::map<int, moment> last_read;
     for (const plan& p : plans) s.master.poll(p.node);
     const auto time = [&] { return s.master.clock().at(micros()); };
     const auto set_clock = [&](std::uint8_t node) {
@@ -91,14 +97,23 @@ int govern(port bus, std::uint32_t id, const char* name, const can::timing& t, s
     }
     const std::size_t preparations = s.tasks.size();
     bool ready = false, dusk = false;
-    while (stopped == 0 && micros() < end) {
+    const auto done = [&] {
+        bool all = ready && s.open_tasks() == 0;
+        for (const plan& p : plans) all = all && read[p.node] != 0;
+        return all;
+    };
+    while (stopped == 0 && (micros() < end || (!done() && micros() < end + grace))) {
         s.work([&](const can::master_event& e) {
             if (e.news == can::master_news::failed) s.say(time(), "node %u: no answer to %c", unsigned{e.node}, e.letter);
             const auto m = trama::decode<can::sensor_readings>(e.packet);
             if (e.news != can::master_news::answered || !m || !ready) return;
-            ++read[m->node];
-            for (const plan& p : plans)
-                if (p.node == m->node && expected_count(p.function, time()) >= 0 && expected_count(p.function, time()) != m->sensor_count) ++wrong[m->node];
+            if (read[m->node]++ == 0) last_read[m->node] = time();
+            for (const plan& p : plans) {
+                if (p.node != m->node) continue;
+                const int expected = expected_count(p.function, last_read[m->node], time());
+                if (expected >= 0 && expected != m->sensor_count) ++wrong[m->node];
+            }
+            last_read[m->node] = time();
             if (last_hour.contains(m->node) && last_hour[m->node] == time().hour) return;
             last_hour[m->node] = time().hour;
             std::string text;
@@ -116,10 +131,10 @@ int govern(port bus, std::uint32_t id, const char* name, const can::timing& t, s
         }
     }
     const auto& q = s.master.quality();
-    bool good = ready && (!dusk || s.open_tasks() == 0);
+    bool good = done();
     for (const plan& p : plans) {
         s.say(time(), "node %u: read %d times, %d times with the wrong sensors", unsigned{p.node}, read[p.node], wrong[p.node]);
-        good = good && read[p.node] != 0 && wrong[p.node] == 0;
+        good = good && wrong[p.node] == 0;
     }
     s.say(time(), "%zu of %zu preparations, %llu retries, %llu time-outs, %llu failures, round trip %llu..%llu us", std::min(preparations, s.tasks.size() - s.open_tasks()), preparations,
           static_cast<unsigned long long>(q.retries), static_cast<unsigned long long>(q.timeouts), static_cast<unsigned long long>(q.failures), static_cast<unsigned long long>(q.round_trip.least), static_cast<unsigned long long>(q.round_trip.most));
@@ -130,7 +145,7 @@ constexpr std::size_t masters = 3, members = 7;
 
 int member(std::size_t i, port bus, const can::timing& t, std::uint64_t end) {
     switch (i) {
-        case 0: return central(bus, t, end);
+        case 0: return central(bus, t);
         case 1: return govern(bus, can::master_1, "master 1", t, end, {{1, continuous(1)}, {2, by_day(2)}});
         case 2: return govern(bus, can::master_2, "master 2", t, end, {{3, only_soil(3)}, {4, asleep(4)}});
         case 3: return live(bus, 1, can::master_1, t);
@@ -177,6 +192,7 @@ int main(int argc, char** argv) {
         bus.work(10);
         if (stopped != 0 && !told) for (const pid_t child : children) kill(child, SIGTERM);
         told = stopped != 0;
+        if (left == 1 && children[0] != 0) kill(children[0], SIGTERM);  // both masters are done
         for (std::size_t i = 0; i != masters; ++i) {
             int status = 0;
             if (children[i] == 0 || waitpid(children[i], &status, WNOHANG) != children[i]) continue;

@@ -29,8 +29,10 @@ class Sim:
 
     def __init__(self, folder, *arguments):
         self.journal = pathlib.Path(folder) / "journal"
+        # A program under AddressSanitizer keeps what it frees for a while; memory is measured here.
+        asan = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1:thread_local_quarantine_size_kb=64"
         self.child = subprocess.Popen([SIM, "--port", "0", "--journal", str(self.journal), *map(str, arguments)],
-                                      stdout=subprocess.PIPE, text=True)
+                                      stdout=subprocess.PIPE, text=True, env=dict(os.environ, ASAN_OPTIONS=asan))
         self.port = int(re.search(r"port (\d+)", self.child.stdout.readline()).group(1))
 
     def connect(self):
@@ -59,7 +61,7 @@ class Sim:
         return collections.Counter(line.split()[3] for line in lines if line.startswith("accepted") and len(line.split()) > 3)
 
 
-def deliver(port, orders, *arguments, seconds=40):
+def deliver(port, orders, *arguments, seconds=300):
     done = subprocess.run([PROGRAM, "--port", str(port), "--orders", str(orders), "--quiet", "--seconds", str(seconds),
                            *map(str, arguments)], capture_output=True, text=True, timeout=seconds + 30)
     return done.returncode, done.stdout
@@ -113,7 +115,7 @@ class BreakingLine(threading.Thread):
 class Shell(unittest.TestCase):
     """The client on a terminal."""
 
-    def until(self, terminal, wanted, patience=10):
+    def until(self, terminal, wanted, patience=60):
         text = b""
         end = time.monotonic() + patience
         while wanted not in text and time.monotonic() < end:
@@ -139,7 +141,7 @@ class Shell(unittest.TestCase):
             self.until(terminal, b"    2  go_node")
             self.until(terminal, b"    2  transit_done")
             client.send_signal(signal.SIGINT)
-            self.assertEqual(client.wait(10), 0)
+            self.assertEqual(client.wait(60), 0)
             self.assertEqual(termios.tcgetattr(inner), before, "the terminal is not as it was")
             os.close(terminal)
             os.close(inner)
@@ -147,7 +149,7 @@ class Shell(unittest.TestCase):
     def test_reads_orders_from_a_pipe(self):
         with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
             done = subprocess.run([PROGRAM, "--port", str(sim.port)], input="load 1 3 2 box\nload 1 3 17\nlod\nidle_processing\n",
-                                  capture_output=True, text=True, timeout=30)
+                                  capture_output=True, text=True, timeout=120)
             self.assertEqual(done.returncode, 0)
             self.assertIn("load 0 for cart 1 accepted: transit T000000001", done.stdout)
             self.assertIn("value out of range", done.stdout)
@@ -252,7 +254,10 @@ class Gateway(unittest.TestCase):
                 self.assertLess(sim.memory(), before + 2048)
             with sim.connect() as client:  # a garbage record may look like an order, so only this one counts
                 client.sendall(LOAD % 77)
-                self.assertRegex(receive(client, 4000, 2), rb"\x02(100|102).{5}    1  1   77")
+                reply, heard, end = re.compile(rb"\x02(100|102).{5}    1  1   77"), b"", time.monotonic() + 60
+                while not reply.search(heard) and time.monotonic() < end:
+                    heard += receive(client, 1)
+                self.assertRegex(heard, reply)
             status, output = sim.end()
             self.assertEqual(status, 0)
             skipped = int(re.search(r"(\d+) bytes skipped", output).group(1))

@@ -10,7 +10,7 @@ PROGRAM = os.environ["PROGRAM"]
 TRAMA = os.environ.get("TRAMA")
 
 
-def run(*arguments, patience=120):
+def run(*arguments, patience=400):
     """The program's exit status and what it printed."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=patience)
     return done.returncode, done.stdout + done.stderr
