@@ -11,8 +11,11 @@
 ///     encode(message, out)   the units written, or why none were
 ///     view_as<message>(p)    single fields, without decoding the others
 ///     to_json, to_text       the message in words
+///     footing(stream, from)  where a large stream may be cut (daisy, gateway), for many cores or machines
 #include "trama/can/format.hpp"
 #include "trama/core/print.hpp"
 #include "trama/core/view.hpp"
+#include "trama/daisy/footing.hpp"
 #include "trama/daisy/format.hpp"
+#include "trama/gateway/footing.hpp"
 #include "trama/gateway/format.hpp"

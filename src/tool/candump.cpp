@@ -33,11 +33,10 @@ bool parse_id(std::string_view digits, can::frame& f) noexcept {
     return f.extended || f.id < 0x800;
 }
 
-/// Pairs of hex digits, with or without dots between them; at most `most` bytes, of which the first 8 are kept.
+/// Pairs of hex digits; at most `most` bytes, of which the first 8 are kept.
 bool parse_data(std::string_view text, std::size_t most, can::frame& f) noexcept {
     std::size_t count = 0;
     while (!text.empty()) {
-        if (count != 0 && text.front() == '.') text.remove_prefix(1);
         if (text.size() < 2 || count == most) return false;
         const int high = hex_value(text[0]), low = hex_value(text[1]);
         if (high < 0 || low < 0) return false;
@@ -54,9 +53,9 @@ bool parse_payload(std::string_view text, can::frame& f) noexcept {
         f.fd = true;
         return text.size() >= 2 && hex_value(text[1]) >= 0 && parse_data(text.substr(2), 64, f);
     }
-    if (!text.empty() && (text.front() == 'R' || text.front() == 'r')) {
+    if (!text.empty() && text.front() == 'R') {
         f.remote = true;
-        return text.size() == 1 || (text.size() == 2 && hex_value(text[1]) >= 0);
+        return text.size() == 1 || (text.size() == 2 && text[1] >= '0' && text[1] <= '8');
     }
     if (const std::size_t raw = text.find('_'); raw != text.npos) {  // a DLC of 9..15, which still means 8 bytes
         if (raw + 2 != text.size() || hex_value(text[raw + 1]) < 9) return false;

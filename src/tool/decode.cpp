@@ -9,6 +9,8 @@
 #include "tool/hex.hpp"
 #include "tool/lines.hpp"
 #include "tool/output.hpp"
+#include "tool/progress.hpp"
+#include "tool/ranges.hpp"
 
 namespace trama::tool {
 
@@ -52,17 +54,35 @@ private:
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
 
+/// Tells where hex input is at fault; of very many places only the first ones.
+class hex_complaints {
+public:
+    void operator()(hex_reader::place at, std::string_view what = "no hex digit") {
+        if (++count_ <= most) complain("decode: line ", number(at.line), ", column ", number(at.column), ": ", what);
+        if (count_ == most) complain("decode: further places are not told");
+    }
+    std::uint64_t count() const { return count_; }
+
+private:
+    static constexpr std::uint64_t most = 20;
+    std::uint64_t count_ = 0;
+};
+
 template <wire_format F>
 int decode_bytes(const options& o, input& in) {
     printer<F> p({}, o.text);
     hex_reader hex;
-    for (auto bytes = in.read(); !bytes.empty() && !hex.foreign(); bytes = in.read()) {
+    hex_complaints complaints;
+    progress shown(in.size());
+    std::uint64_t done = 0;
+    for (auto bytes = in.read(); !bytes.empty(); bytes = in.read()) {
+        shown.at(done += bytes.size());
         if (o.hex) {
             std::array<unsigned char, 4096> part;
             for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), part.size()))) {
                 const auto text = std::span{part}.first(std::min(bytes.size(), part.size()));
                 std::copy_n(bytes.begin(), text.size(), text.begin());
-                p.feed(hex.read(text));
+                p.feed(hex.read(text, complaints));
             }
         } else {
             p.feed(bytes);
@@ -70,11 +90,8 @@ int decode_bytes(const options& o, input& in) {
         p.flush();
     }
     p.finish();
-    if (!hex.foreign() && !hex.odd()) return p.status();
-    const std::string line = number(hex.line()), column = number(hex.column());
-    if (hex.foreign()) complain("decode: line ", line, ", column ", column, ": no hex digit; the input was read up to there");
-    else complain("decode: line ", line, ", column ", column, ": the last hex digit has no partner");
-    return input_at_fault;
+    if (const hex_reader::place* odd = hex.odd()) complaints(*odd, "the last hex digit has no partner");
+    return complaints.count() == 0 ? p.status() : input_at_fault;
 }
 
 int decode_can(const options& o, input& in) {
@@ -102,6 +119,7 @@ int decode_can(const options& o, input& in) {
 }  // namespace
 
 int decode(const options& o) {
+    if (o.ranged || (o.jobs > 1 && o.protocol != protocol::can)) return decode_parts(o);
     input in(o.file);
     if (!in.error().empty()) {
         complain("decode: ", o.file, ": ", in.error());

@@ -81,6 +81,8 @@ private:
         message_reader reader;
         const json_value* values = line_.find("fields");
         if (values != nullptr && !reader.read(*values, m)) return fail("fields: " + reader.error());
+        if constexpr (requires { m.expected_count(); m.readings.count; })  // the default for a list is zeros
+            if (values == nullptr || values->find("readings") == nullptr) m.readings.count = static_cast<std::uint8_t>(m.expected_count());
         std::array<typename F::unit, F::max_units> units;
         const auto size = unchecked_ ? F::encode_unchecked(envelope_, m, std::span{units}) : F::encode(envelope_, m, std::span{units});
         if (!size) return fail(explain(m, size.error()));

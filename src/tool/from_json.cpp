@@ -2,29 +2,49 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace trama::tool {
 
-std::optional<std::int64_t> whole_number(const json_value& v) {
+namespace {
+
+/// The number that `text`, a JSON number, is after moving its point by `shift` digits: nothing if that is no whole
+/// number; what does not fit becomes the largest or smallest there is.
+std::optional<std::int64_t> shifted_number(std::string_view text, int shift) {
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    const bool negative = text.starts_with('-');
+    std::string digits;
+    int exponent = 0;
+    const std::size_t power = text.find_first_of("eE"), point = text.find('.');
+    if (power != text.npos) {
+        const std::string_view written = text.substr(power + (text[power + 1] == '+' ? 2 : 1));
+        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{}) exponent = written.front() == '-' ? -9999 : 9999;
+    }
+    for (const char c : text.substr(0, power))
+        if (c >= '0' && c <= '9') digits += c;
+    const std::size_t decimals = point == text.npos ? 0 : std::min(power, text.size()) - point - 1;
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    if (digits.empty()) return 0;
+    int zeros = std::clamp(exponent, -9999, 9999) + shift - static_cast<int>(decimals);
+    for (; zeros < 0; ++zeros) {
+        if (digits.empty() || digits.back() != '0') return std::nullopt;
+        digits.pop_back();
+    }
+    if (digits.size() + static_cast<std::size_t>(zeros) > 18) return negative ? -most : most;
+    digits.append(static_cast<std::size_t>(zeros), '0');
     std::int64_t n = 0;
-    if (v.type != json_value::kind::number) return std::nullopt;
-    const char* end = v.text.data() + v.text.size();
-    const auto [rest, code] = std::from_chars(v.text.data(), end, n);
-    if (rest != end || code != std::errc{}) return std::nullopt;
-    return n;
+    (void)std::from_chars(digits.data(), digits.data() + digits.size(), n);
+    return negative ? -n : n;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> whole_number(const json_value& v) {
+    return v.type == json_value::kind::number ? shifted_number(v.text, 0) : std::nullopt;
 }
 
 std::optional<std::int64_t> number_in_tenths(const json_value& v) {
-    if (v.type != json_value::kind::number) return std::nullopt;
-    json_value shifted = v;
-    const std::size_t point = v.text.find('.');
-    if (point == v.text.npos) {
-        shifted.text += '0';
-    } else {
-        if (point + 2 != v.text.size()) return std::nullopt;
-        shifted.text.erase(point, 1);
-    }
-    return whole_number(shifted);
+    return v.type == json_value::kind::number ? shifted_number(v.text, 1) : std::nullopt;
 }
 
 bool message_reader::fail(std::string_view what) {
@@ -55,7 +75,7 @@ bool message_reader::read_number(const json_value& v, wire::print printed, std::
     const bool tenths = printed == wire::print::tenths;
     const auto n = tenths ? number_in_tenths(v) : whole_number(v);
     if (!n) return fail(tenths ? "a number with at most one decimal is needed" : "a whole number is needed");
-    if (*n < low || *n > high) return fail((tenths ? v.text : std::to_string(*n)) + " is not allowed (" + std::to_string(low) + ".." + (tenths ? "999.9" : std::to_string(high)) + ")");
+    if (*n < low || *n > high) return fail(v.text + " is not allowed (" + std::to_string(low) + ".." + (tenths ? "999.9" : std::to_string(high)) + ")");
     out = *n;
     return true;
 }

@@ -14,13 +14,18 @@ namespace {
 constexpr std::string_view help =
     R"(trama: three wire formats, from bytes to meaning and back
 
-  trama decode daisy|can|gateway [--hex] [--format json|text] [--timeout SECONDS] [FILE]
+  trama decode daisy|can|gateway [--hex] [--format json|text] [--timeout SECONDS]
+               [--jobs N] [--range FROM:TO] [FILE]
         Prints what FILE holds, one JSON object a line. daisy and gateway are raw bytes,
         can is a candump log. Without FILE, or with -, standard input is read.
           --hex              the input is hex digits in pairs (daisy, gateway)
           --format text      for people instead of programs
           --timeout SECONDS  how long a multi-frame message may stall, by the log's own
                              time (can; 1 by default)
+          --jobs N           on N cores, with the same output; needs a file (can: one core)
+          --range FROM:TO    only what begins in these bytes of the file, each bound moved
+                             to the next footing: the output of ranges that follow each
+                             other, put together, is that of the whole (daisy, gateway)
 
   trama encode daisy|can|gateway [--hex] [--unchecked] [FILE]
         Reads JSON lines as decode prints them and writes raw bytes or candump log lines.

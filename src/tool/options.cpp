@@ -1,5 +1,7 @@
 #include "tool/options.hpp"
 
+#include <charconv>
+
 #include "tool/output.hpp"
 
 namespace trama::tool {
@@ -30,6 +32,7 @@ public:
         if (good_ && operands_ == 0) fail("which protocol: daisy, can or gateway?");
         if (good_ && found_.hex && found_.protocol == protocol::can) fail("--hex does not go with can, whose logs are text");
         if (good_ && timeout_given_ && found_.protocol != protocol::can) fail("--timeout is for can only");
+        if (good_ && (found_.ranged || found_.jobs > 1)) parts();
         return good_ ? std::optional{found_} : std::nullopt;
     }
 
@@ -56,7 +59,29 @@ private:
         else if (name == "--unchecked" && equals == word.npos && command_ == "encode") found_.unchecked = true;
         else if (name == "--format" && command_ == "decode") format(value(name, word, equals));
         else if (name == "--timeout" && command_ == "decode") timeout(value(name, word, equals));
+        else if (name == "--jobs" && command_ == "decode") jobs(value(name, word, equals));
+        else if (name == "--range" && command_ == "decode") range(value(name, word, equals));
         else fail("unknown option ", word);
+    }
+    static bool number(std::string_view digits, auto& n) {
+        const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+        return !digits.empty() && end.ec == std::errc{} && end.ptr == digits.data() + digits.size();
+    }
+    void jobs(std::string_view count) {
+        if (good_ && (!number(count, found_.jobs) || found_.jobs == 0 || found_.jobs > 1024)) fail("--jobs takes a number from 1 to 1024, not ", count);
+    }
+    void range(std::string_view bounds) {
+        const std::size_t colon = bounds.find(':');
+        found_.ranged = true;
+        const bool good = colon != bounds.npos && number(bounds.substr(0, colon), found_.from) && number(bounds.substr(colon + 1), found_.to);
+        if (good_ && (!good || found_.from > found_.to)) fail("--range takes FROM:TO in bytes, such as 0:1000000, not ", bounds);
+    }
+    /// Whether a file can be decoded in parts.
+    void parts() {
+        if (found_.file.empty() || found_.file == "-") fail("--jobs and --range need a file");
+        else if (found_.hex) fail("--jobs and --range do not go with --hex");
+        else if (found_.ranged && found_.jobs > 1) fail("--jobs does not go with --range");
+        else if (found_.ranged && found_.protocol == protocol::can) fail("--range is for daisy and gateway");
     }
     std::string_view value(std::string_view name, std::string_view word, std::size_t equals) {
         if (equals != word.npos) return word.substr(equals + 1);

@@ -18,6 +18,9 @@ struct options {
     bool text = false;
     bool unchecked = false;
     std::uint64_t timeout = per_second;
+    unsigned jobs = 1;                ///< Cores to decode on.
+    bool ranged = false;              ///< Only what begins in `from`..`to`, in bytes.
+    std::uint64_t from = 0, to = 0;
 };
 
 std::optional<protocol> parse_protocol(std::string_view name) noexcept;

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace trama::tool {
@@ -55,6 +56,11 @@ input::input(std::string_view path) {
 
 input::~input() {
     if (fd_ > 0) ::close(fd_);
+}
+
+std::uint64_t input::size() const noexcept {
+    struct stat s{};
+    return ::fstat(fd_, &s) == 0 && S_ISREG(s.st_mode) ? static_cast<std::uint64_t>(s.st_size) : 0;
 }
 
 std::span<const unsigned char> input::read() {

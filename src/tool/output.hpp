@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -39,6 +40,8 @@ public:
 
     /// Empty when the file could be opened, else why not.
     std::string_view error() const noexcept { return error_; }
+    /// Bytes of a regular file; 0 of anything else.
+    std::uint64_t size() const noexcept;
     /// The next bytes, as soon as there are any; none at the end of the input. Live until the next call.
     std::span<const unsigned char> read();
 

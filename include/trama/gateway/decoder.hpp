@@ -47,6 +47,8 @@ public:
     constexpr const trama::counters& counters() const noexcept { return counters_; }
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
+    /// The offset of the next byte, for callers that begin inside a stream.
+    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset; }
 
 private:
     using bytes_in = std::span<const std::uint8_t>;
