@@ -67,6 +67,20 @@ TEST(daisy_controller, matches_a_reply_by_peer_and_command) {
     EXPECT_EQ(tell(c, encoder_reply, 16).event.news, controller_news::told) << "the second reply";
 }
 
+TEST(daisy_controller, takes_a_reply_for_that_to_the_board_alone_before_that_to_everyone) {
+    for (const bool wide_first : {false, true}) {
+        controller c = with_boards({0x11});
+        if (wide_first) ask(c, daisy::everyone, daisy::common::ping{}, 0);
+        ask(c, daisy::board(1, 1), daisy::common::ping{}, 0);
+        if (!wide_first) ask(c, daisy::everyone, daisy::common::ping{}, 0);
+        EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0x83}), 1).event.news, controller_news::reply);
+        EXPECT_EQ(c.in_flight(), 1U) << "the request to the board alone is settled";
+        EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0x83}), 2).event.news, controller_news::reply);
+        EXPECT_EQ(c.in_flight(), 1U) << "the call goes on until it comes home";
+        EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x00, 0x03}), 3).event.news, controller_news::complete);
+    }
+}
+
 TEST(daisy_controller, asks_again_after_a_time_out_and_gives_up_after_the_last_attempt) {
     controller c = with_boards({0x11});
     ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 0);

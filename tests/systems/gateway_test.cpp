@@ -152,6 +152,9 @@ TEST(gateway_server, says_why_it_refuses) {
     EXPECT_EQ(refused(high), gateway::reason::out_of_range);
     EXPECT_EQ(refused(gateway::send_command{3, 1, "T9", "lift"}), gateway::reason::unknown_transit);
     EXPECT_EQ(refused(gateway::cross_granted{3, 1, 4}), gateway::reason::not_waiting);
+    s.carts().find(1)->state.cross_confirmation_needed = 1;
+    s.carts().find(1)->state.end_node = 5;
+    EXPECT_EQ(refused(gateway::cross_granted{3, 1, 4}), gateway::reason::not_waiting) << "it waits at another node";
     ask(s, record(load_for(1)));
     ask(s, record(load_for(1)));
     EXPECT_EQ(refused(load_for(1)), gateway::reason::no_place);
