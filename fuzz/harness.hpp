@@ -162,6 +162,11 @@ int roundtrip(std::span<const std::uint8_t> input) {
             bool valid = false;
             const auto wire = encode_checked<F>(event.packet.envelope(), m, valid);
             require(!wire.empty(), "what was decoded can be encoded, if need be unchecked");
+            if constexpr (traits<F>::one_spelling) {
+                octets body(body_size(m));
+                store_body(body.data(), m);
+                require(std::ranges::equal(body, event.packet.body()), "encode(decode(b)) == b");
+            }
             if (traits<F>::evident(m)) check_decodes_to<F>(std::span<const unit>(wire), event.packet.envelope(), m);
         });
         require(!bad || bad.code == errc::bad_number || bad.code == errc::bad_length, "a known packet has a message, or a bad number or length");

@@ -13,6 +13,7 @@ class Campaign:
     def __init__(self, o):
         self.o = o
         self.stop = False
+        self.building = False
         self.show = display.Display()
         self.names = toolchain.targets(o.source, o.targets)
         self.tools = toolchain.find(o.engine)
@@ -248,7 +249,7 @@ class Campaign:
         self.show.say(f"report: {self.o.out / 'report.html'} and report.json")
 
     def on_signal(self, number, frame):
-        if self.stop:
+        if self.stop or self.building:  # a build has nothing to lose: the next start goes on with it
             raise KeyboardInterrupt
         self.stop = True
         self.show.say("stopping; once more ends at once")
@@ -258,9 +259,9 @@ class Campaign:
         signal.signal(signal.SIGTERM, self.on_signal)
         for line in toolchain.warnings(self.tools):
             self.show.say(line)
+        self.building = True
         self.build()
-        if self.stop:
-            return 130
+        self.building = False
         if self.state.resumed:
             self.show.stage(f"resuming: {display.clock(self.state.data['left'])} left of {display.clock(self.state.data['asked'])}")
         self._leftovers()

@@ -42,8 +42,8 @@ def _links(clang, flags):
 def find(engine="auto"):
     """The tools as a dict; raises CannotRun naming the Debian package of the first that is missing."""
     clang = os.environ.get("CXX_FUZZ") or _tool(["clang++", *[f"clang++-{v}" for v in range(22, 11, -1)]])
-    if not clang:
-        raise CannotRun("clang++ was not found; on Debian: apt install clang")
+    if not clang or not shutil.which(clang):
+        raise CannotRun(f"{clang or 'clang++'} was not found; on Debian: apt install clang")
     cmake = shutil.which("cmake")
     if not cmake:
         raise CannotRun("cmake was not found; on Debian: apt install cmake")

@@ -13,6 +13,7 @@ struct traits<can::format> {
     /// A continuation has no header, so a lost frame may swallow the next message's first ones; silence for longer than the
     /// time-out ends that. Without silence there is no bound.
     static constexpr std::size_t recovery_bound = 0;
+    static constexpr bool one_spelling = true;  ///< A message has but one body.
 
     /// Bits 0..1 of the first octet: identifier 0x80..0x83, the last of them foreign; bit 2 extended, 3 remote, 4 FD, 5 error,
     /// taken only where bits 6 and 7 are set, so that most frames are of the protocol. Bits 2..6 set, but not 7: the DLC is

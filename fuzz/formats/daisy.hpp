@@ -10,6 +10,7 @@ template <>
 struct traits<daisy::format> : octet_traits {
     /// An intact documented packet that begins so many bytes after the last damaged one is delivered.
     static constexpr std::size_t recovery_bound = 256;
+    static constexpr bool one_spelling = true;  ///< A message has but one body.
 
     /// Addresses under which `M` means what it means; board 15 as source only when `strange`.
     template <class M>
