@@ -120,7 +120,7 @@ class Files(ToolCase):
 
 class HexInput(ToolCase):
     def faulty(self, given, *places, lines=1):
-        """An input error that names its place; what came before it is decoded all the same."""
+        """An input error that names its place; the rest is decoded all the same."""
         run = trama("decode", "daisy", "--hex", given=given)
         self.assertEqual(run.status, 1, run)
         self.assertEqual(sum('"message"' in line for line in run.out.decode().splitlines()), lines)
@@ -131,7 +131,9 @@ class HexInput(ToolCase):
         self.faulty(b"04 10 00 03 17\n04 1g", "line 2", "column 5")
         self.faulty(b"x", "line 1", "column 1", lines=0)
         self.faulty(b"04 10 00 03 17 0x04", "line 1", "column 17")
-        self.faulty(b"0410000317,0410000317", "line 1", "column 11")
+        self.faulty(b"0410000317,0410000317", "line 1", "column 11", lines=2)
+        self.faulty(b"0x04 0x10 0x00 0x03 0x17", "column 2", "column 22")
+        self.faulty(b"04 1zzz 10 00 03 17", "line 1", "column 5")
         self.faulty(b"04 10 00 03 17\n\xff", "line 2", "column 1")
 
     def test_an_odd_digit(self):

@@ -77,7 +77,9 @@ std::optional<log_frame> parse_candump(std::string_view line) {
   const std::size_t sharp = parts[2].find('#');
   if (!time || sharp == std::string::npos) return std::nullopt;
   const std::string id = parts[2].substr(0, sharp);
-  const std::string data = parts[2].substr(sharp + 1);
+  std::string data = parts[2].substr(sharp + 1);
+  // A DLC of 9 to 15 stands behind the eight bytes that it means.
+  if (data.size() == 18 && data[16] == '_' && is_hex(data[17]) && (data[17] == '9' || !is_digit(data[17]))) data.resize(16);
   if ((id.size() != 3 && id.size() != 8) || !all_hex(id)) return std::nullopt;
 
   log_frame frame;

@@ -102,7 +102,7 @@ private:
         slot* found = nullptr;
         for (slot& s : slots_) {
             if (s.seen == 0 || !(draining_ || is_late(s, now_))) continue;
-            const bool earlier = found == nullptr || (draining_ ? s.offset < found->offset : s.last < found->last);
+            const bool earlier = found == nullptr || (draining_ || s.last == found->last ? s.offset < found->offset : s.last < found->last);
             if (earlier) found = &s;
         }
         return found;
