@@ -103,6 +103,15 @@ std::string range_of(const layout_row& row) {
     return std::string{s.view()};
 }
 
+/// The bits of a flag set, which are too many for a column.
+void print_flags(output& out, const layout_row& row) {
+    if (row.flags.empty()) return;
+    std::string line{"  bits of "};
+    line.append(row.name).append(", lowest first:");
+    for (const std::string_view name : row.flags) line.append(" ").append(name);
+    out.write(line + "\n");
+}
+
 void print_portrait(output& out, const portrait& p) {
     std::string title{p.format};
     title.append(" ").append(p.name).append(kind(p).empty() ? "" : " ").append(kind(p)).append(": ");
@@ -125,7 +134,9 @@ void print_portrait(output& out, const portrait& p) {
         std::string name = inner ? "  ." : "";
         name += row.name;
         if (many && !inner) name.append("[").append(std::to_string(row.count)).append("]");
-        const std::string each = varies ? "the rest" : std::to_string(row.size) + (many && !inner ? " each" : "");
+        std::string each = varies ? "the rest" : std::to_string(row.size);
+        if (row.split != 0) each = std::to_string(row.split).append(" + ").append(std::to_string(row.size - row.split));
+        else if (many && !inner) each += " each";
         rows.push_back({offset, each, name, std::string{row.type}, range_of(row), std::string{row.meaning}});
         if (row.constant != '\0') rows.push_back({std::to_string(p.first_field() + row.offset + row.size), "1", "letter", "u8", std::string(1, row.constant), ""});
         shifted = shifted || (varies && row.optional);
@@ -133,6 +144,7 @@ void print_portrait(output& out, const portrait& p) {
     if (p.protocol == protocol::daisy) rows.push_back({"LEN", "1", "CRC", "u8", "", "exclusive or of all bytes before it"});
     else if (p.protocol == protocol::gateway) rows.push_back({std::to_string(p.first_field() + p.size), "1", "ETX", "u8", "0x03", ""});
     print_table(out, rows);
+    for (const layout_row& row : p.fields) print_flags(out, row);
 }
 
 template <class F>

@@ -17,15 +17,22 @@ struct layout_row {
     std::string_view meaning;
     char constant = '\0';                      ///< A byte that follows and is always the same.
     bool optional = false;                     ///< Exists only in some messages.
+    std::size_t split = 0;                     ///< Of a structure in two pieces, the bytes of the first; `size` is that of both.
+    std::span<const std::string_view> flags{}; ///< Of a flag set, the names of its bits, lowest first.
 };
 
 namespace detail {
 
-template <class V>
+inline constexpr rule tenths_range{0, 0, 0, 0, {}, "0.0..999.9"};
+
+/// What is to be said about a value: the field's own rule, its names, or what the wire can carry.
+template <class W, class V>
 constexpr const rule* documented_rule(const rule& own) noexcept {
     if (!own.any()) return &own;
-    if constexpr (requires { typename V::value_type; }) return nullptr;
-    else if constexpr (enumerated<V> && !flag_set<V>) return &names_rule<V>;
+    if constexpr (requires { typename W::element; }) return documented_rule<typename W::element, typename W::element::value>(own);
+    else if constexpr (flag_set<V>) return nullptr;
+    else if constexpr (enumerated<V>) return &names_rule<V>;
+    else if constexpr (requires { W::low; W::printed; }) return W::printed == wire::print::tenths ? &tenths_range : &wire_rule<W>;
     else return nullptr;
 }
 
@@ -38,10 +45,14 @@ constexpr layout_row row_of(std::size_t offset) noexcept {
     row.offset = offset;
     row.type = wire_type::type_name;
     row.meaning = field_of<M, I>.meaning;
-    row.allowed = documented_rule<typename one::value>(field_of<M, I>.allowed);
+    row.allowed = documented_rule<wire_type, typename one::value>(field_of<M, I>.allowed);
     row.optional = one::optional;
     row.size = wire_type::size;
-    if constexpr (requires { wire_type::at(offset); }) row.size = wire_type::value::layout.size;  // in two pieces
+    if constexpr (requires { wire_type::first_piece; }) {
+        row.size = wire_type::value::layout.size;
+        row.split = wire_type::first_piece;
+    }
+    if constexpr (flag_set<typename one::value>) row.flags = name_list<typename one::value>;
     if constexpr (requires { wire_type::constant; }) { row.constant = wire_type::constant; row.size -= 1; }
     if constexpr (requires { typename wire_type::element; }) {
         row.count = wire_type::max_count;

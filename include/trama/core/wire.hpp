@@ -113,6 +113,7 @@ struct torn_record {
     static constexpr std::size_t size = Size;
     static constexpr std::string_view type_name = "structure";
 
+    static constexpr std::size_t first_piece = Split;
     static constexpr std::size_t at(std::size_t i) noexcept { return i < Split ? i : i + Gap; }
     static constexpr auto gather(const std::uint8_t* p) noexcept {
         std::array<std::uint8_t, T::layout.size> whole{};

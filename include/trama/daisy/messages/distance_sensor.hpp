@@ -58,6 +58,9 @@ inline constexpr rule sensor_readings = between(0, 0x3FF);                      
 inline constexpr rule switch_or_ultrasound{0, 0x7594, 0xFFFF, 0, {}, "0..30100|65535"};     ///< Sensor 5.
 inline constexpr rule no_such_sensor{0, -1, -1, 0, {}, "no such sensor"};                    ///< Bits 6 and 7.
 
+/// What the tables say of all readings; `rule_for` gives the rule of each.
+inline constexpr rule any_reading{0, 0xFFFF, 0, 0, {}, "0..1023; of sensor 5 0..30100|65535"};
+
 /// What a board answers to `Request`: one reading for each bit of `sensors`, lowest bit first. [daisy §8.5, §8.6]
 template <class Request>
 struct readings_reply {
@@ -82,7 +85,7 @@ struct readings_reply {
     static constexpr std::string_view name = Request::name, section = Request::section;
     static constexpr fields layout{
         field<&readings_reply::sensors, wire::u8>{"sensors", sensor_masks, "bit n: sensor n"},
-        field<&readings_reply::readings, wire::counted<wire::u16, 8>>{"readings", {}, "one for each bit, lowest first"},
+        field<&readings_reply::readings, wire::counted<wire::u16, 8>>{"readings", any_reading, "one for each bit, lowest first"},
     };
     friend constexpr bool operator==(const readings_reply&, const readings_reply&) = default;
 
