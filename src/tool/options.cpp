@@ -78,7 +78,7 @@ private:
     }
     /// Whether a file can be decoded in parts.
     void parts() {
-        if (found_.file.empty() || found_.file == "-") fail("--jobs and --range need a file");
+        if (found_.file == "-") fail("--jobs and --range need a file");
         else if (found_.hex) fail("--jobs and --range do not go with --hex");
         else if (found_.ranged && found_.jobs > 1) fail("--jobs does not go with --range");
         else if (found_.ranged && found_.protocol == protocol::can) fail("--range is for daisy and gateway");

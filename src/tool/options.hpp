@@ -13,7 +13,7 @@ enum class protocol : std::uint8_t { daisy, can, gateway };
 /// The command line of decode and encode.
 struct options {
     tool::protocol protocol{};
-    std::string_view file;  ///< Empty or `-`: standard input.
+    std::string_view file = "-";  ///< `-`: standard input.
     bool hex = false;
     bool text = false;
     bool unchecked = false;

@@ -47,7 +47,7 @@ void output::flush() {
 }
 
 input::input(std::string_view path) {
-    if (path.empty() || path == "-") return;
+    if (path == "-") return;
     fd_ = ::open(std::string{path}.c_str(), O_RDONLY | O_CLOEXEC);
     struct stat about {};
     if (fd_ < 0) error_ = std::strerror(errno);

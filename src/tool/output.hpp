@@ -32,7 +32,7 @@ private:
 /// Reads a file or standard input.
 class input {
 public:
-    /// Opens `path`; `-` or nothing is standard input. Not opened: see `error()`.
+    /// Opens `path`; `-` is standard input. Not opened: see `error()`.
     explicit input(std::string_view path);
     ~input();
     input(const input&) = delete;

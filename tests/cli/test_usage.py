@@ -104,6 +104,12 @@ class Files(ToolCase):
                     file.write(given)
                 self.assertEqual(trama("decode", protocol, path), trama("decode", protocol, given=given))
 
+    def test_a_file_without_a_name(self):
+        for words in (("decode", "daisy", ""), ("decode", "can", ""), ("encode", "gateway", "")):
+            run = trama(*words)
+            self.assertEqual((run.status, run.out), (2, b""), words)
+            self.assertNotEqual(run.err, "")
+
     def test_an_empty_file(self):
         for protocol in ("daisy", "can", "gateway"):
             self.assertEqual(trama("decode", protocol, "/dev/null"), (0, b"", ""))
