@@ -1,0 +1,77 @@
+"""--jobs and --range: parts of a file, put together, print what the whole prints."""
+
+import os
+import random
+import tempfile
+import unittest
+
+from tool import packet, record, trama
+
+
+def daisy_traffic(dice, packets):
+    """Polls of motors and their answers, now and then damaged or interrupted by noise."""
+    stream = bytearray()
+    for _ in range(packets):
+        board = f"1{dice.randrange(4)}"
+        stream += packet(f"{board} 00 43") + packet(f"00 {board} C3", dice.randbytes(4))
+        if dice.random() < 0.02:
+            stream[-dice.randrange(1, 14)] ^= 1 << dice.randrange(8)
+        if dice.random() < 0.01:
+            stream += dice.randbytes(dice.randrange(400))
+    return bytes(stream)
+
+
+def gateway_traffic(dice, records):
+    """Orders, now and then damaged."""
+    stream = bytearray()
+    for i in range(records):
+        stream += record(f" 20{i % 100000:5}{dice.randrange(100000):5}")
+        if dice.random() < 0.05:
+            stream[-dice.randrange(1, 15)] = dice.choice(b"\x02\x03\x7fA ")
+    return bytes(stream)
+
+
+class Parts(unittest.TestCase):
+    def setUp(self):
+        self.dice = random.Random(4)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = os.path.join(folder.name, "capture")
+
+    def check(self, protocol, stream):
+        with open(self.path, "wb") as file:
+            file.write(stream)
+        whole = trama("decode", protocol, self.path)
+        self.assertGreater(len(whole.out), len(stream))
+        self.assertEqual(trama("decode", protocol, "--jobs", "3", self.path), whole)
+        for _ in range(4):
+            cuts = sorted(self.dice.randrange(len(stream)) for _ in range(4))
+            bounds = [0, *cuts, len(stream)]
+            parts = [trama("decode", protocol, "--range", f"{a}:{b}", self.path) for a, b in zip(bounds, bounds[1:])]
+            self.assertEqual(b"".join(part.out for part in parts), whole.out, f"cut at {cuts}")
+            self.assertEqual(max(part.status for part in parts), whole.status)
+
+    def test_daisy(self):
+        self.check("daisy", daisy_traffic(self.dice, 40000))
+
+    def test_gateway(self):
+        self.check("gateway", gateway_traffic(self.dice, 40000))
+
+    def test_garbage_has_no_seams_and_still_comes_out_whole(self):
+        self.check("daisy", self.dice.randbytes(600000) + daisy_traffic(self.dice, 9000))
+
+    def test_jobs_on_can_print_the_same(self):
+        log = b"".join(b"(%d.0) can0 081#0102%02X\n" % (i, 0x52) for i in range(100))
+        with open(self.path, "wb") as file:
+            file.write(log)
+        self.assertEqual(trama("decode", "can", "--jobs", "2", self.path), trama("decode", "can", self.path))
+
+    def test_usage(self):
+        for words in (("daisy", "--range", "0:1"), ("daisy", "--range", "5:1", "f"), ("daisy", "--range", "5", "f"),
+                      ("daisy", "--jobs", "0", "f"), ("daisy", "--jobs", "2", "--hex", "f"), ("can", "--range", "0:1", "f"),
+                      ("daisy", "--jobs", "2", "--range", "0:1", "f"), ("daisy", "--jobs", "2", "/no/such/file")):
+            self.assertEqual(trama("decode", *words).status, 2, words)
+
+
+if __name__ == "__main__":
+    unittest.main()
