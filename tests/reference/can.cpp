@@ -56,7 +56,7 @@ class reassembly {
   // The one that stalled first is the first to be over time.
   void tick(const log_time& now) {
     give_up("timed_out", [&](const partial& one) { return older_than_timeout(one.last, now); },
-            [](const partial& a, const partial& b) { return a.last < b.last; });
+            [](const partial& a, const partial& b) { return a.last < b.last || (a.last == b.last && a.line < b.line); });
   }
 
   // Reports and forgets those that are over; ascending identifiers where `earlier` sees no difference.

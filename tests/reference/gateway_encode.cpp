@@ -33,13 +33,9 @@ std::string text_characters(const gateway_field& field, const json_value& given)
 
 /// 48.2 and 48 as "48.2" and "48.0"; at most three digits before the point and one behind it.
 std::string tenths_characters(const gateway_field& field, const json_value& given) {
-  std::string number = given.number_text;
-  if (given.type != kind::number || number.find_first_of("-eE") != std::string::npos) {
-    throw refused("a decimal expected");
-  }
+  std::string number = plain_number(given);
+  if (number[0] == '-') throw refused("a decimal expected");
   if (number.find('.') == std::string::npos) number += ".0";
-  const std::size_t last = std::max(number.find_last_not_of('0'), number.find('.') + 1);
-  number = number.substr(0, last + 1);
   if (number.find('.') > 3 || number.size() != number.find('.') + 2) throw refused("decimal out of range");
   return right(number, field.width);
 }

@@ -179,10 +179,42 @@ const json_value* json_value::find(std::string_view name) const {
 
 json_value parse_json(std::string_view line) { return parser(line).whole(); }
 
-long long integer(const json_value& value, long long low, long long high) {
-  const std::string& text = value.number_text;
+std::string plain_number(const json_value& value) {
   if (value.type != json_value::kind::number) throw refused("a number expected");
-  if (text.find_first_of(".eE") != std::string::npos) throw refused("an integer expected");
+  std::string text = value.number_text;
+  const bool negative = text[0] == '-';
+  if (negative) text.erase(0, 1);
+  long exponent = 0;
+  const std::size_t e = text.find_first_of("eE");
+  if (e != std::string::npos) {
+    const std::string written = text.substr(e + 1);
+    exponent = written.size() > 6 ? (written[0] == '-' ? -100000 : 100000) : std::stol(written);
+    text.resize(e);
+  }
+  const std::size_t point = text.find('.');
+  std::string whole = text.substr(0, point);
+  std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
+  if ((whole + fraction).find_first_not_of('0') == std::string::npos) return "0";
+  if (exponent > 500 || exponent < -500) throw refused("number out of range");
+  for (; exponent > 0; --exponent) {
+    whole += fraction.empty() ? '0' : fraction[0];
+    if (!fraction.empty()) fraction.erase(0, 1);
+  }
+  for (; exponent < 0; ++exponent) {
+    fraction.insert(0, 1, whole.empty() ? '0' : whole.back());
+    if (!whole.empty()) whole.pop_back();
+  }
+  while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
+  while (!whole.empty() && whole.front() == '0') whole.erase(0, 1);
+  std::string plain = negative ? "-" : "";
+  plain += whole.empty() ? "0" : whole;
+  if (!fraction.empty()) plain += '.';
+  return plain += fraction;
+}
+
+long long integer(const json_value& value, long long low, long long high) {
+  const std::string text = plain_number(value);
+  if (text.find('.') != std::string::npos) throw refused("an integer expected");
   if (text.size() > 18) throw refused("number too large");
   const long long number = std::stoll(text);
   if (number < low || number > high) throw refused("number out of range");

@@ -34,7 +34,10 @@ struct json_value {
 /// The value that fills the whole line; throws `refused`.
 json_value parse_json(std::string_view line);
 
-/// An integer, written without fraction or exponent, in low..high; throws `refused`.
+/// A JSON number without exponent and superfluous zeros: 4.820e1 as "48.2", -0 as "0"; throws `refused`.
+std::string plain_number(const json_value& value);
+
+/// A whole number, however it is written, in low..high; throws `refused`.
 long long integer(const json_value& value, long long low, long long high);
 
 /// A string's bytes; throws `refused`.
