@@ -84,8 +84,8 @@ class Describe(ToolCase):
         for name, offset, size in (("node", 0, 1), ("message_id", 1, 1), ("function", 3, 2), ("sensor_count", 19, 1)):
             self.assertEqual(self.row(text, name)[:2], [str(offset), str(size)])
         # both are seven bytes, in two pieces each
-        self.assertEqual(self.row(text, "start")[1], "7")
-        self.assertEqual(self.row(text, "end")[1], "7")
+        self.assertEqual(self.row(text, "start")[1], "4 + 3")
+        self.assertEqual(self.row(text, "end")[1], "4 + 3")
         self.assertIn("0..200", self.row(text, "message_id"))
 
     def test_unknown_ones(self):
