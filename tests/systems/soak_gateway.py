@@ -166,7 +166,7 @@ class Gateway(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--carts", 6, "--crossing", 5, "--quiet") as sim:
             line = BreakingLine(sim.port, 7)
             line.start()
-            status, output = deliver(line.port, 150, "--carts", 6, "--timeout", 400)
+            status, output = deliver(line.port, 150, "--carts", 6, "--timeout", 20000)
             line.stopped = True
             line.join()
             self.assertEqual(status, 0, output)
