@@ -98,6 +98,7 @@ private:
     [[gnu::noinline]] constexpr event advance(bytes_in& in) noexcept { return slow_next(in); }
     // decoder_recovery.hpp holds these.
     constexpr event slow_next(bytes_in& in) noexcept;
+    static constexpr std::size_t short_landmark(bytes_in in) noexcept;
     constexpr event step(bytes_in& in) noexcept;
     constexpr event rest() noexcept;
     constexpr event wait(bytes_in& in) noexcept;
