@@ -84,6 +84,13 @@ constexpr bool is_message(const typename F::packet& p, const typename F::envelop
     return !why && visited && views_agree(p, m);
 }
 
+/// The first chunk of a stream and all others. A type of its own, so that each message's checks are compiled once.
+struct cuts {
+    std::size_t first;
+    std::size_t others;
+    constexpr std::size_t operator()(std::size_t at) const { return at == 0 ? first : others; }
+};
+
 /// Feeds `stream` in chunks; `cut(at)` says how long the chunk that begins at `at` is. Calls `f(event)` for every event,
 /// those of the end included. False when the decoder leaves input, miscounts or breaks conservation (L2).
 template <wire_format F>
@@ -115,7 +122,7 @@ constexpr bool feed(typename F::decoder& d, units<F> stream, auto&& cut, auto&& 
 
 /// Fed in such chunks, `stream` gives exactly one event: `m`, from its first unit to its last.
 template <wire_format F, class M>
-constexpr bool decodes_to(const typename F::envelope& e, const M& m, units<F> stream, auto&& cut) {
+constexpr bool decodes_to(const typename F::envelope& e, const M& m, units<F> stream, cuts cut) {
     typename F::decoder d;
     std::size_t seen = 0;
     bool good = true;
@@ -130,15 +137,15 @@ constexpr bool decodes_to(const typename F::envelope& e, const M& m, units<F> st
 template <wire_format F, class M>
 constexpr bool decodes_in_chunks(const typename F::envelope& e, const M& m, units<F> stream, std::size_t stride = 1) {
     for (std::size_t chunk = 1; chunk < stream.size(); chunk += stride)
-        if (!decodes_to<F>(e, m, stream, [=](std::size_t) { return chunk; })) return false;
-    return decodes_to<F>(e, m, stream, [&](std::size_t) { return stream.size(); });
+        if (!decodes_to<F>(e, m, stream, cuts{chunk, chunk})) return false;
+    return decodes_to<F>(e, m, stream, cuts{stream.size(), stream.size()});
 }
 
 /// As `decodes_to`, cut in two at every `stride`-th place.
 template <wire_format F, class M>
 constexpr bool decodes_at_splits(const typename F::envelope& e, const M& m, units<F> stream, std::size_t stride = 1) {
     for (std::size_t split = 1; split < stream.size(); split += stride)
-        if (!decodes_to<F>(e, m, stream, [&](std::size_t at) { return at == 0 ? split : stream.size(); })) return false;
+        if (!decodes_to<F>(e, m, stream, cuts{split, stream.size()})) return false;
     return true;
 }
 
@@ -157,7 +164,7 @@ constexpr bool round_trips_unchecked(const typename F::envelope& e, const M& m, 
     const auto refused = F::encode(e, m, out.all);
     if (refused || refused.error() != error{errc::out_of_range, field} || !out.untouched_from(0)) return false;
     const auto size = F::encode_unchecked(e, m, std::span(out.all).first(F::max_units));
-    return size && decodes_to<F>(e, m, units<F>(out.all).first(*size), [&](std::size_t) { return *size; });
+    return size && decodes_to<F>(e, m, units<F>(out.all).first(*size), cuts{*size, *size});
 }
 
 }  // namespace trama::properties

@@ -21,7 +21,7 @@ std::string fields_json(const M& m) {
 
 /// What a decoder made of a stream: one line for each event.
 template <wire_format F>
-std::string transcript(std::span<const typename F::unit> stream, auto&& cut, bool& conserved) {
+std::string transcript(std::span<const typename F::unit> stream, properties::cuts cut, bool& conserved) {
     typename F::decoder d;
     std::ostringstream out;
     conserved = properties::feed<F>(d, stream, cut, [&](const auto& event) {
@@ -53,16 +53,16 @@ void check_stream(const Table& table) {
     std::size_t rows = 0;
     each_row(table, [&](const auto& row) { stream.insert(stream.end(), row.wire.begin(), row.wire.end()); ++rows; });
     bool conserved = false;
-    const std::string whole = transcript<F>(stream, [&](std::size_t) { return stream.size(); }, conserved);
+    const std::string whole = transcript<F>(stream, {stream.size(), stream.size()}, conserved);
     EXPECT_TRUE(conserved);
     EXPECT_EQ(static_cast<std::size_t>(std::count(whole.begin(), whole.end(), '\n')), rows);
     EXPECT_EQ(whole.find(" noise"), std::string::npos);
     for (std::size_t split = 1; split < stream.size(); ++split) {
-        ASSERT_EQ(transcript<F>(stream, [&](std::size_t at) { return at == 0 ? split : stream.size(); }, conserved), whole) << "split at " << split;
+        ASSERT_EQ(transcript<F>(stream, {split, stream.size()}, conserved), whole) << "split at " << split;
         ASSERT_TRUE(conserved) << "split at " << split;
     }
     for (std::size_t chunk = 1; chunk <= 300; ++chunk) {
-        ASSERT_EQ(transcript<F>(stream, [&](std::size_t) { return chunk; }, conserved), whole) << "chunks of " << chunk;
+        ASSERT_EQ(transcript<F>(stream, {chunk, chunk}, conserved), whole) << "chunks of " << chunk;
         ASSERT_TRUE(conserved) << "chunks of " << chunk;
     }
 }
@@ -79,7 +79,7 @@ void check_damage(const Table& table, auto&& each_damage, auto&& same) {
             for (const std::size_t chunk : {damaged.size(), std::size_t{1}, std::size_t{5}}) {
                 typename F::decoder d;
                 bool given = false;
-                const bool conserved = properties::feed<F>(d, std::span<const typename F::unit>(damaged), [&](std::size_t) { return chunk; }, [&](const auto& event) {
+                const bool conserved = properties::feed<F>(d, std::span<const typename F::unit>(damaged), properties::cuts{chunk, chunk}, [&](const auto& event) {
                     if (event.code != errc::ok || !(event.packet.envelope() == row.envelope)) return;
                     const auto back = decode<M>(event.packet);
                     given = given || (back && *back == row.value);
