@@ -10,33 +10,6 @@ namespace trama::bench {
 /// Where the views in a random message point to; lives as long as the message is used.
 using arena = std::array<std::uint8_t, 512>;
 
-template <class W, class V>
-void each_place_of(V& v, const rule& own, field_ref at, auto& f) {
-    if constexpr (requires { typename W::element; }) {
-        for (std::size_t i = 0; i != v.size(); ++i) {
-            at.index = static_cast<std::uint8_t>(i);
-            each_place_of<typename W::element>(v[i], own, at, f);
-        }
-    } else if constexpr (has_layout<V>) {
-        each_index<V>([&]<std::size_t I>() {
-            constexpr auto& one = field_of<V, I>;
-            at.sub = static_cast<std::uint8_t>(I);
-            f.template operator()<typename std::remove_cvref_t<decltype(one)>::wire_type>(at, v.*one.member, one.allowed);
-        });
-    } else {
-        f.template operator()<W>(at, v, own);
-    }
-}
-/// Calls `f.operator()<W>(ref, value, rule)` for every single value of `m`, which `f` may change.
-template <has_layout M>
-void each_place(M& m, auto&& f) {
-    each_index<M>([&]<std::size_t I>() {
-        constexpr auto& one = field_of<M, I>;
-        if (!one.exists(m)) return;
-        each_place_of<typename std::remove_cvref_t<decltype(one)>::wire_type>(m.*one.member, one.allowed, field_ref{static_cast<std::uint8_t>(I)}, f);
-    });
-}
-
 /// A number that `r` and the wire allow; small ones as often as large ones, so that every width occurs.
 inline std::int64_t allowed_number(const rule& r, std::int64_t low, std::int64_t high, dice& d) {
     if (r.set != 0)
@@ -90,11 +63,11 @@ void mend_shape(M& m, dice& d) {
 template <has_layout M>
 M random_message(dice& d, arena& memory) {
     M m{};
-    each_place(m, [&]<class W>(field_ref, auto& v, const rule& own) { randomize_value<W>(v, own, d, memory); });
+    each_leaf(m, [&]<class W>(field_ref, auto& v, const rule& own) { randomize_value<W>(v, own, d, memory); });
     if constexpr (requires { m.rejected; }) m.code = static_cast<std::uint8_t>(d.below(2));
     mend_shape(m, d);
     for (int turn = 0; turn != 3 && !is_valid(m); ++turn)  // rules that depend on other fields
-        each_place(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
+        each_leaf(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
             const rule& r = rule_in_context(m, at, own);
             if constexpr (requires { W::low; })
                 if (broken_rule<W>(v, r) != nullptr) v = static_cast<std::remove_cvref_t<decltype(v)>>(allowed_number(r, W::low, W::high, d));

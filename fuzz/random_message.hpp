@@ -20,33 +20,6 @@ struct arena {
     }
 };
 
-/// Calls `f.operator()<W>(ref, value, rule)` for every single value of `v`, which `f` may change; see `each_leaf`.
-template <class W, class V>
-void each_place_of(V& v, const rule& own, field_ref at, auto& f) {
-    if constexpr (requires { typename W::element; }) {
-        for (std::size_t i = 0; i != v.size(); ++i) {
-            at.index = static_cast<std::uint8_t>(i);
-            each_place_of<typename W::element>(v[i], own, at, f);
-        }
-    } else if constexpr (has_layout<V>) {
-        each_index<V>([&]<std::size_t I>() {
-            constexpr auto& one = field_of<V, I>;
-            at.sub = static_cast<std::uint8_t>(I);
-            f.template operator()<typename std::remove_cvref_t<decltype(one)>::wire_type>(at, v.*one.member, one.allowed);
-        });
-    } else {
-        f.template operator()<W>(at, v, own);
-    }
-}
-template <has_layout M>
-void each_place(M& m, auto&& f) {
-    each_index<M>([&]<std::size_t I>() {
-        constexpr auto& one = field_of<M, I>;
-        if (!one.exists(m)) return;
-        each_place_of<typename std::remove_cvref_t<decltype(one)>::wire_type>(m.*one.member, one.allowed, field_ref{static_cast<std::uint8_t>(I)}, f);
-    });
-}
-
 /// A number that `r` allows and lies in `low..high`, corners more often than the rest.
 inline std::int64_t allowed_number(const rule& r, std::int64_t low, std::int64_t high, dice& d) {
     if (r.set != 0) {
@@ -119,7 +92,7 @@ void mend_shape(M& m, dice& d) {
 template <has_layout M>
 void mend_values(M& m, dice& d, arena& memory) {
     for (int round = 0; round != 4 && !is_valid(m); ++round) {
-        each_place(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
+        each_leaf(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
             const rule& r = rule_in_context(m, at, own);
             if (broken_rule<W>(v, r) == nullptr) return;
             if constexpr (requires { W::low; }) v = static_cast<std::remove_cvref_t<decltype(v)>>(allowed_number(enumerated<std::remove_cvref_t<decltype(v)>> && r.any() ? rule{0, 0, 0, 0, {}, {}} : r, W::low, W::high, d));
@@ -135,7 +108,7 @@ M random_message(dice& d, arena& memory) {
     M m{};
     for (int turn = 0; turn != 2; ++turn) {  // again for the fields that the first turn brought into being
         memory.used = 0;
-        each_place(m, [&]<class W>(field_ref, auto& v, const rule& own) { randomize_value<W>(v, own, false, d, memory); });
+        each_leaf(m, [&]<class W>(field_ref, auto& v, const rule& own) { randomize_value<W>(v, own, false, d, memory); });
         mend_shape(m, d);
     }
     mend_values(m, d, memory);
@@ -146,10 +119,10 @@ M random_message(dice& d, arena& memory) {
 template <has_layout M>
 void change_one_value(M& m, dice& d, arena& memory) {
     std::size_t places = 0;
-    each_place(m, [&]<class W>(field_ref, auto&, const rule&) { ++places; });
+    each_leaf(m, [&]<class W>(field_ref, auto&, const rule&) { ++places; });
     std::size_t turn = d.below(places);
     const bool strange = d.one_in(2);
-    each_place(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
+    each_leaf(m, [&]<class W>(field_ref at, auto& v, const rule& own) {
         if (turn-- != 0) return;
         const rule r = rule_in_context(m, at, own);
         randomize_value<W>(v, r, strange, d, memory);

@@ -52,15 +52,16 @@ template <class W, class V>
 
 /// Calls `f.operator()<W>(ref, value, rule)` for every leaf of one field's value. `rule` is the document's for it.
 template <class W, class V>
-[[gnu::always_inline]] constexpr void each_leaf_of(const V& v, const rule& own, field_ref at, auto& f) {
+[[gnu::always_inline]] constexpr void each_leaf_of(V& v, const rule& own, field_ref at, auto& f) {
+    using value = std::remove_const_t<V>;
     if constexpr (requires { typename W::element; }) {
         for (std::size_t i = 0; i != v.size(); ++i) {
             at.index = static_cast<std::uint8_t>(i);
             each_leaf_of<typename W::element>(v[i], own, at, f);
         }
-    } else if constexpr (has_layout<V>) {
-        each_index_inline<V>([&]<std::size_t I>() __attribute__((always_inline)) {
-            constexpr auto& one = field_of<V, I>;
+    } else if constexpr (has_layout<value>) {
+        each_index_inline<value>([&]<std::size_t I>() __attribute__((always_inline)) {
+            constexpr auto& one = field_of<value, I>;
             at.sub = static_cast<std::uint8_t>(I);
             f.template operator()<typename std::remove_cvref_t<decltype(one)>::wire_type>(at, v.*one.member, one.allowed);
         });
@@ -70,10 +71,13 @@ template <class W, class V>
 }
 
 /// Calls `f.operator()<W>(ref, value, rule)` for every value of `m` that exists, nested ones included, in wire order.
-template <has_layout M>
-[[gnu::always_inline]] constexpr void each_leaf(const M& m, auto&& f) {
-    each_index_inline<M>([&]<std::size_t I>() __attribute__((always_inline)) {
-        constexpr auto& one = field_of<M, I>;
+/// Of a message that is not const, `f` may change the values.
+template <class M>
+    requires has_layout<std::remove_const_t<M>>
+[[gnu::always_inline]] constexpr void each_leaf(M& m, auto&& f) {
+    using message = std::remove_const_t<M>;
+    each_index_inline<message>([&]<std::size_t I>() __attribute__((always_inline)) {
+        constexpr auto& one = field_of<message, I>;
         if (!one.exists(m)) return;
         each_leaf_of<typename std::remove_cvref_t<decltype(one)>::wire_type>(m.*one.member, one.allowed, field_ref{static_cast<std::uint8_t>(I)}, f);
     });

@@ -24,7 +24,7 @@ public:
     }
     /// Element `i` of an array: its value, or of nested structures a view. Precondition: the array has it.
     template <auto Member>
-        requires(index_of<M, Member>() < M::layout.count)
+        requires(index_of<M, Member>() < M::layout.count && requires { typename member_traits<decltype(Member)>::value::value_type; })
     constexpr auto get(std::size_t i) const noexcept {
         constexpr std::size_t I = index_of<M, Member>();
         using one = std::remove_cvref_t<decltype(field_of<M, I>)>;

@@ -70,15 +70,9 @@ constexpr bool hides_landmark(const window& w, std::size_t at) noexcept {
     return false;
 }
 
-/// While hunting, a packet is taken if it is a landmark, or if nothing inside it speaks for another phase.
-constexpr bool is_acceptable(const window& w, std::size_t at) noexcept {
-    return is_intact(w, at, w.size()) && (is_landmark_at(w, at) || !hides_landmark(w, at));
-}
-
-/// As `is_acceptable` for the whole packet at `at`, whose header is documented.
-constexpr bool is_acceptable_body(const window& w, std::size_t at) noexcept {
-    return w.xor_of(at, std::size_t{w[at]} + 1) == 0 && (is_landmark_at(w, at) || !hides_landmark(w, at));
-}
+/// While hunting, an intact packet is taken if it is a landmark, or if nothing inside it speaks for another phase.
+constexpr bool is_convincing(const window& w, std::size_t at) noexcept { return is_landmark_at(w, at) || !hides_landmark(w, at); }
+constexpr bool is_acceptable(const window& w, std::size_t at) noexcept { return is_intact(w, at, w.size()) && is_convincing(w, at); }
 
 /// Looks for a short landmark from `probe` on, as far as the bytes go. True when one is found, at `probe`. A long
 /// candidate that it lies in can then be given up at once instead of when its last byte has come.
@@ -118,7 +112,7 @@ constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
         if (h != header::documented) continue;
         const std::size_t size = std::size_t{w[at]} + 1;
         if (size <= left) {
-            if (is_acceptable_body(w, at)) return {at, true};
+            if (w.xor_of(at, size) == 0 && is_convincing(w, at)) return {at, true};
             continue;
         }
         if (size <= longest_short) return {at, false};
