@@ -61,6 +61,16 @@ TEST(ascii, vector_and_scalar_agree_on_random_bytes_at_every_alignment) {
     }
 }
 
+TEST(ascii, few_bytes_are_judged_as_far_as_they_go) {
+    test::rng random(4);
+    for (int round = 0; round != 200; ++round) {
+        octets bytes = random.bytes(few_bytes);
+        const std::size_t good = random.below(few_bytes + 1);
+        for (std::size_t i = 0; i != good; ++i) bytes[i] = static_cast<std::uint8_t>(random.within(0x20, 0x7E));
+        for (std::size_t n = 0; n <= few_bytes; ++n) ASSERT_EQ(few_printable_bytes(bytes.data(), n), all_printable_scalar(bytes.data(), n)) << n;
+    }
+}
+
 constexpr std::uint8_t line[]{'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i', 0x03, 'k'};
 static_assert(printable_run(line, 11) == 9);
 static_assert(all_printable(line, 9) && !all_printable(line, 10));

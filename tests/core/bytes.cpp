@@ -47,12 +47,20 @@ TEST(bytes, xor_of_any_length_and_alignment_is_the_xor_byte_by_byte) {
         }
 }
 
-TEST(bytes, xor_of_short_is_the_xor_of_the_first_0_to_16_of_16_bytes) {
-    for (std::uint64_t seed = 1; seed != 201; ++seed) {
-        test::rng random(seed);
-        const octets bytes = random.bytes(16);
-        const auto low = load_le<std::uint64_t>(bytes.data());
-        for (std::size_t n = 0; n <= 16; ++n) ASSERT_EQ(xor_of_short(low, bytes.data(), n), slow_xor(std::span(bytes).first(n))) << seed << ", " << n;
+TEST(bytes, the_vector_code_folds_what_the_scalar_reference_folds) {
+    test::rng random(2);
+    const octets bytes = random.bytes(600);
+    for (std::size_t at = 0; at != 17; ++at)
+        for (std::size_t n = 16; n + at <= bytes.size(); ++n)
+            ASSERT_EQ(xor_of_vector(bytes.data() + at, n), xor_of_scalar(bytes.data() + at, n)) << at << ", " << n;
+}
+
+TEST(bytes, xor_of_few_is_the_xor_of_the_first_of_64_or_16_bytes) {
+    test::rng random(3);
+    for (int round = 0; round != 50; ++round) {
+        const octets bytes = random.bytes(few_bytes);
+        for (std::size_t n = 0; n <= few_bytes; ++n) ASSERT_EQ(xor_of_few(bytes.data(), n), xor_of_scalar(bytes.data(), n)) << n;
+        for (std::size_t n = 0; n <= 16; ++n) ASSERT_EQ(xor_of_few<16>(bytes.data(), n), xor_of_scalar(bytes.data(), n)) << n;
     }
 }
 

@@ -36,6 +36,17 @@ constexpr std::size_t printable_run_scalar(const std::uint8_t* p, std::size_t n)
 /// True when all `n` bytes at `p` are printable. Scalar reference.
 constexpr bool all_printable_scalar(const std::uint8_t* p, std::size_t n) noexcept { return printable_run_scalar(p, n) == n; }
 
+/// True when the first `n` bytes at `p`, up to `few_bytes` of as many readable ones, are printable. Without a branch on `n`.
+constexpr bool few_printable_bytes(const std::uint8_t* p, std::size_t n) noexcept {
+    const std::uint8_t* mask = first_bytes.data() + few_bytes - n;
+    std::uint64_t stray = 0;
+    for (std::size_t i = 0; i != few_bytes; i += 8) {
+        const auto kept = load_le<std::uint64_t>(mask + i);
+        stray |= unprintable_tops((load_le<std::uint64_t>(p + i) & kept) | (~kept & 0x2020202020202020));
+    }
+    return stray == 0;
+}
+
 #if defined(__SSE2__)
 
 /// Printable bytes at the front of the `n` at `p`.

@@ -141,16 +141,16 @@ template <std::size_t Columns, std::size_t Readable>
     }
 }
 
-/// As `read_columns`, quicker where single numbers can be classified in a vector.
-template <std::size_t Columns>
+/// As `read_columns`, quicker where single numbers can be classified in a vector. `Readable` columns may be read.
+template <std::size_t Columns, std::size_t Readable = Columns>
 [[gnu::always_inline]] constexpr std::uint64_t read_one(const std::uint8_t* p, std::uint32_t& value) noexcept {
 #if defined(__SSE2__)
     if constexpr (Columns >= 2 && Columns <= 7)
         if (!std::is_constant_evaluated()) {
-            const std::uint64_t word = load_columns<Columns>(p);
+            const std::uint64_t word = Readable >= 8 ? load_le<std::uint64_t>(p) : load_columns<Columns>(p);
             const column_map map = map_word(word);
             const std::uint32_t odd = value_of<Columns>(word, map.digits, value);
-            return (odd & 1) | map.others;
+            return (odd & 1) | (map.others & ((1U << Columns) - 1));
         }
 #endif
     return read_columns<Columns>(p, value);

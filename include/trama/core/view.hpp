@@ -20,7 +20,7 @@ public:
     constexpr auto get() const noexcept {
         constexpr std::size_t I = index_of<M, Member>();
         using one = std::remove_cvref_t<decltype(field_of<M, I>)>;
-        return read<typename one::wire_type, typename one::value>(bytes_ + M::layout.offsets[I], {static_cast<std::uint8_t>(I)});
+        return read<typename one::wire_type, typename one::value, M::layout.size - M::layout.offsets[I]>(bytes_ + M::layout.offsets[I], {static_cast<std::uint8_t>(I)});
     }
     /// Element `i` of an array: its value, or of nested structures a view. Precondition: the array has it.
     template <auto Member>
@@ -31,14 +31,23 @@ public:
         using element = typename one::wire_type::element;
         const std::uint8_t* at = bytes_ + M::layout.offsets[I] + i * element::size;
         if constexpr (has_layout<typename one::value::value_type>) return view<typename one::value::value_type>(at);
-        else return read<element, typename one::value::value_type>(at, {static_cast<std::uint8_t>(I), static_cast<std::uint8_t>(i)});
+        else return read<element, typename one::value::value_type, element::size>(at, {static_cast<std::uint8_t>(I), static_cast<std::uint8_t>(i)});
     }
 
 private:
-    template <class W, class V>
+    /// `Readable` bytes of the message lie at `p`.
+    template <class W, class V, std::size_t Readable>
     static constexpr result<V> read(const std::uint8_t* p, field_ref at) noexcept {
         V v{};
-        if (load_value<W>(p, v) != 0) return error{errc::bad_number, at};
+        std::uint64_t bad = 0;
+        if constexpr (requires(typename W::value raw) { W::template load_near<Readable>(p, raw); }) {
+            typename W::value raw{};
+            bad = W::template load_near<Readable>(p, raw);
+            v = static_cast<V>(raw);
+        } else {
+            bad = load_value<W>(p, v);
+        }
+        if (bad != 0) return error{errc::bad_number, at};
         return v;
     }
     const std::uint8_t* bytes_;

@@ -19,6 +19,9 @@ struct dec {
 
     static constexpr bool carries(std::int64_t v) noexcept { return low <= v && v <= high; }
     static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_one<Columns>(p, out); }
+    /// As `load` where `Readable` columns may be read.
+    template <std::size_t Readable>
+    static constexpr std::uint64_t load_near(const std::uint8_t* p, value& out) noexcept { return read_one<Columns, Readable>(p, out); }
     /// As `load` where `map` describes the columns from bit 0 on, but columns that are neither digits nor spaces are left
     /// to the caller. `Readable` columns may be read.
     template <std::size_t Readable>
@@ -41,6 +44,8 @@ struct signed_dec : dec<Columns> {
 
     static constexpr bool carries(std::int64_t v) noexcept { return low <= v && v <= dec<Columns>::high; }
     static constexpr std::uint64_t load(const std::uint8_t* p, value& out) noexcept { return read_signed_columns<Columns>(p, out); }
+    template <std::size_t Readable>
+    static constexpr std::uint64_t load_near(const std::uint8_t* p, value& out) noexcept { return load(p, out); }
     /// As of `dec`, but nothing is left to the caller.
     template <std::size_t Readable>
     [[gnu::always_inline]] static constexpr std::uint64_t load_mapped(const std::uint8_t* p, const column_map& map, value& out) noexcept {

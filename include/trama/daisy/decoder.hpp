@@ -25,14 +25,15 @@ public:
     [[gnu::always_inline]] constexpr event next(std::span<const std::uint8_t>& in) noexcept {
         if (in.size() >= quick_from_) [[likely]] {
             const auto low = load_le<std::uint64_t>(in.data());
-            const auto head = static_cast<std::uint32_t>(low);
-            const unsigned found = known.quick[known.rows[catalogue::pair_of(head)] + (head >> 24)];
-            const std::size_t size = std::size_t{in[0]} + 1;  // a load of its own: the next packet waits for this one only
-            const bool fixed = found >> 7 == (head & 0xFF);
-            if (fixed ? xor_of_short(low, in.data(), size) == 0 : is_variable_landmark(in, found)) [[likely]] {
-                const auto whole = in.first(size);
-                in = in.subspan(size);
-                return deliver(whole, found & 0x7F);
+            const std::size_t place = known.place_of(static_cast<std::uint32_t>(low), in.data());
+            const std::size_t len = in[0];  // a load of its own: the next packet waits for this one only
+            bool whole = false;
+            if (known.is_sized(place, in.data())) [[likely]] whole = known.fold(low, in.data(), len) == 0;
+            else whole = is_variable_landmark(in);
+            if (whole) [[likely]] {
+                const auto bytes = in.first(len + 1);
+                in = in.subspan(len + 1);
+                return deliver(bytes, known.index_at(place));
             }
         }
         auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
@@ -79,11 +80,16 @@ private:
         return e;
     }
 
-    /// True when the packet at the front of `in`, which `catalogue::quick` knows as `found`, is a whole landmark of variable length.
-    [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in, unsigned found) noexcept {
-        const std::size_t index = found & 0x7F, size = std::size_t{in[0]} + 1;
-        if (found >> 7 != variable || index == unknown || size < min_packet || size > in.size()) return false;
-        return body_fits(index, size - min_packet, &in[header_size]) && xor_of(in.first(size)) == 0 && recovery::is_landmark(in.first(size), index);
+    /// True when a landmark of variable length lies whole at the front of `in`.
+    [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in) noexcept {
+        const std::size_t size = std::size_t{in[0]} + 1, index = index_of(in[1], in[2], in[3]);
+        if (size < min_packet || size > in.size()) return false;
+        if (!known.fits[known.variable_at[index]](size - min_packet, &in[header_size])) return false;
+        const bool few = size <= few_bytes && in.size() >= header_size + few_bytes;
+        if ((few ? xor_of_few(in.data(), size) : xor_of(in.first(size))) != 0) return false;
+        if (!known.carries_bytes[index]) return true;
+        if (known.texts[index] && few && few_printable_bytes(&in[header_size], size - min_packet)) return true;  // see is_landmark
+        return recovery::is_landmark(in.first(size), index);
     }
 
     constexpr event deliver_unknown(std::span<const std::uint8_t> whole) noexcept {
@@ -98,7 +104,8 @@ private:
     [[gnu::noinline]] constexpr event advance(bytes_in& in) noexcept { return slow_next(in); }
     // decoder_recovery.hpp holds these.
     constexpr event slow_next(bytes_in& in) noexcept;
-    static constexpr std::size_t short_landmark(bytes_in in) noexcept;
+    static constexpr bytes_in short_landmark(bytes_in& in) noexcept;
+    constexpr bytes_in joined_landmark(bytes_in& in) noexcept;
     constexpr event step(bytes_in& in) noexcept;
     constexpr event rest() noexcept;
     constexpr event wait(bytes_in& in) noexcept;
@@ -110,8 +117,8 @@ private:
     constexpr void keep(std::size_t n, bytes_in& in) noexcept;
     constexpr void skip(std::size_t n, bytes_in& in) noexcept;
 
-    static constexpr std::size_t readable = 16, never_quick = std::numeric_limits<std::size_t>::max();
-    static_assert(std::all_of(known.fixed_len.begin(), known.fixed_len.end(), [](auto len) { return len < readable || len == variable; }));
+    static constexpr std::size_t readable = longest_fixed + 1, never_quick = std::numeric_limits<std::size_t>::max();
+    static_assert(std::all_of(known.fixed_len.begin(), known.fixed_len.end(), [](auto len) { return len <= longest_fixed || len == variable; }));
 
     /// How many bytes the quick path needs: `readable` while in step and behind a landmark, with nothing kept or announced.
     std::size_t quick_from_ = never_quick;

@@ -9,38 +9,54 @@ namespace detail {
 constexpr event nothing() noexcept { event e{}; e.code = errc::ok; return e; }
 }  // namespace detail
 
-/// The slow path: everything but a short landmark that lies whole in `in` while in step.
+/// The slow path: everything but a landmark that lies whole in `in` while in step.
 constexpr event decoder::slow_next(bytes_in& in) noexcept {
     begin_ += release_;
     release_ = 0;
-    if (!hunting_ && !draining_ && !certain_ && held() == 0 && phase_.settled()) {
-        quick_from_ = readable;
-        if (const std::size_t size = short_landmark(in); size != 0) {
-            const auto whole = in.first(size);
-            in = in.subspan(size);
+    if (!hunting_ && !draining_ && !certain_ && phase_.settled())
+        if (const auto whole = held() == 0 ? short_landmark(in) : joined_landmark(in); !whole.empty()) {
+            quick_from_ = readable;
             return deliver(whole, index_of(whole[1], whole[2], whole[3]));
         }
-    }
     quick_from_ = never_quick;
     for (;;) {
         bytes_in none{};
         auto& source = draining_ ? none : in;
         const event e = hunting_ ? hunt(source) : step(source);
         if (e.code != errc::ok || e.length != 0) {
-            const bool steady = !hunting_ && !draining_ && !certain_ && held() == 0 && phase_.settled();
+            const bool steady = !hunting_ && !draining_ && !certain_ && held() == release_ && phase_.settled();
             quick_from_ = steady ? readable : never_quick;
             return e;
         }
     }
 }
 
-/// Size of the fixed message at the front of `in`, 0 if none lies there whole: as the quick path, near a chunk's end.
-constexpr std::size_t decoder::short_landmark(bytes_in in) noexcept {
-    if (in.size() < min_packet) return 0;
-    const auto head = load_le<std::uint32_t>(in.data());
-    const unsigned found = known.quick[known.rows[catalogue::pair_of(head)] + (head >> 24)];
+/// The fixed message at the front of `in`, nothing if none lies there whole: as the quick path, near a chunk's end.
+constexpr decoder::bytes_in decoder::short_landmark(bytes_in& in) noexcept {
+    if (in.size() < min_packet) return {};
     const std::size_t size = std::size_t{in[0]} + 1;
-    return found >> 7 == in[0] && size <= in.size() && xor_of(in.first(size)) == 0 ? size : 0;
+    const auto head = load_le<std::uint32_t>(in.data());
+    if (!known.is_sized(known.place_of(head, in.data()), in.data()) || size < min_packet || size > in.size()) return {};
+    const auto whole = in.first(size);
+    if (xor_of(whole) != 0) return {};
+    in = in.subspan(size);
+    return whole;
+}
+
+/// The fixed message of which the stash holds the beginning and `in` the rest, nothing if there is none.
+constexpr decoder::bytes_in decoder::joined_landmark(bytes_in& in) noexcept {
+    const std::size_t had = held();
+    if (had + in.size() < readable || begin_ + readable > stash_.size()) return {};
+    const std::uint8_t* const front = stash_.data() + begin_;
+    if (had < readable) copy_bytes(stash_.data() + end_, in.data(), readable - had);
+    const auto low = load_le<std::uint64_t>(front);
+    const std::size_t size = (low & 0xFF) + 1;
+    if (!known.is_sized(known.place_of(static_cast<std::uint32_t>(low), front), front) || known.fold(low, front, low & 0xFF) != 0) return {};
+    const std::size_t taken = size > had ? size - had : 0;
+    end_ += taken;
+    release_ = size;
+    in = in.subspan(taken);
+    return {front, size};
 }
 
 /// In step: judges the packet at the front.

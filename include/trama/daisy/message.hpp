@@ -31,6 +31,10 @@ inline constexpr bool carries_bytes = [] {
     return any;
 }();
 
+/// True for the messages that are nothing but a text.
+template <has_layout M>
+inline constexpr bool is_text = requires(M m) { m.description; };
+
 inline constexpr rule adc_range = between(0, 0x3FF);      ///< 10-bit converter counts.
 inline constexpr rule servo_ids = between(0, 4);          ///< [daisy §7.1]
 inline constexpr rule degrees = between(0, 180);          ///< [daisy §7.1]

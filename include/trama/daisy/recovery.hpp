@@ -1,7 +1,6 @@
 #pragma once
 
-#include "trama/core/window.hpp"
-#include "trama/daisy/packet.hpp"
+#include "trama/daisy/candidate.hpp"
 
 /// How the decoder finds its footing again after a fault. XOR is a weak check: in periodic traffic any window over
 /// whole cycles XORs to zero too, so a good CRC alone proves nothing. docs/daisy.md draws the cases.
@@ -9,48 +8,45 @@ namespace trama::daisy::recovery {
 
 inline constexpr std::size_t longest_short = 22;  ///< The longest packet that is neither text nor a rejected packet.
 
-/// The first place from `at` on where a documented header may begin, or where its five bytes do not lie in one piece.
-constexpr std::size_t next_candidate(const window& w, std::size_t at) noexcept {
-    if (at >= w.size()) return at;
-    const auto run = w.run(at);
-    std::size_t i = 0;
-    while (i + min_packet <= run.size() && !may_be_documented(run.data() + i)) ++i;
-    return at + i;
-}
-
 /// True when a whole packet with a documented header and a good CRC begins at `at`.
 constexpr bool is_intact(const window& w, std::size_t at, std::size_t end) noexcept {
-    if (judge_header(w, at, std::min<std::size_t>(end - at, header_size + 1)) != header::documented) return false;
     const std::size_t size = std::size_t{w[at]} + 1;
-    return size <= end - at && w.xor_of(at, size) == 0;
+    if (size > end - at || w.xor_of(at, size) != 0) return false;
+    return judge_header(w, at, std::min<std::size_t>(end - at, header_size + 1)) == header::documented;
 }
 
 /// True when an intact packet that can hold nothing but numbers lies wholly behind the first byte of `whole`.
 constexpr bool holds_short_packet(std::span<const std::uint8_t> whole) noexcept {
     const window w({}, whole);
-    for (std::size_t q = next_candidate(w, 1); q + min_packet <= whole.size(); q = next_candidate(w, q + 1)) {
-        if (!is_intact(w, q, whole.size())) continue;
-        bool short_one = true;
-        for_variable(index_of(w[q + 1], w[q + 2], w[q + 3]), [&]<class M>() { short_one = !carries_bytes<M>; });
-        if (short_one) return true;
-    }
+    for (std::size_t q = next_candidate(w, 1); q + min_packet <= whole.size(); q = next_candidate(w, q + 1))
+        if (is_intact(w, q, whole.size()) && !known.carries_bytes[index_of(w[q + 1], w[q + 2], w[q + 3])]) return true;
     return false;
 }
 
-/// True when an intact packet with a documented header is more than a chance hit: a text must be plain and hold no
+/// True when an intact packet with the header of an `M` is more than a chance hit: a text must be plain and hold no
 /// packet, a rejected packet must agree with its own CRC. Such a packet speaks for the phase it was found in.
+template <class M>
+constexpr bool is_landmark(std::span<const std::uint8_t> whole) noexcept {
+    if constexpr (!carries_bytes<M>) {
+        return true;
+    } else {
+        const auto body = whole.subspan(header_size, whole.size() - min_packet);
+        if constexpr (is_text<M>) {
+            // Printable text is plain, and no short packet begins in it: their LARGO is a control character. Nor does one
+            // begin in the header, since a response's command is no address.
+            static_assert(longest_short <= ' ' && (command_of(M::key) & response_bit) != 0);
+            if (all_printable(body.data(), body.size())) return true;
+        }
+        M m;
+        if (load_body(body, m) || !m.evident()) return false;
+        if constexpr (is_text<M>) return !holds_short_packet(whole);
+        return true;
+    }
+}
 constexpr bool is_landmark(std::span<const std::uint8_t> whole, std::size_t index) noexcept {
     if (known.fixed_len[index] != variable) return true;
     bool evident = false;
-    for_variable(index, [&]<class M>() {
-        if constexpr (!carries_bytes<M>) {
-            evident = true;
-        } else {
-            M m;
-            evident = !load_body(whole.subspan(header_size, whole.size() - min_packet), m) && m.evident();
-            if constexpr (requires { m.description; }) evident = evident && !holds_short_packet(whole);
-        }
-    });
+    for_variable(index, [&]<class M>() { evident = is_landmark<M>(whole); });
     return evident;
 }
 
@@ -102,22 +98,35 @@ struct finding {
     bool found = false;   ///< A packet to accept lies at `at`, whole.
 };
 
-/// The leftmost acceptable packet of `w`, or the leftmost place where one may yet be when more bytes come.
+/// What is to be said of the place `at`, where a documented header may begin: a finding there ends the search.
 /// `probe` remembers how far the inside of a long candidate has been searched.
+constexpr bool ends_hunt(const window& w, std::size_t at, std::size_t& probe, bool& found) noexcept {
+    const std::size_t left = w.size() - at, size = std::size_t{w[at]} + 1;
+    const header h = judge_header(w, at, std::min<std::size_t>(left, header_size + 1));
+    if (h == header::unclear) return true;
+    if (h != header::documented) return false;
+    if (size <= left) return found = is_convincing(w, at);
+    if (size <= longest_short) return true;
+    probe = std::max(probe, at + 1);
+    return !find_short_landmark(w, probe) || may_be_report(w, at);
+}
+
+/// The leftmost acceptable packet of `w`, or the leftmost place where one may yet be when more bytes come.
 constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
-    for (std::size_t at = next_candidate(w, 0); at < w.size(); at = next_candidate(w, at + 1)) {
-        const std::size_t left = w.size() - at;
-        const header h = judge_header(w, at, std::min<std::size_t>(left, header_size + 1));
-        if (h == header::unclear) return {at, false};
-        if (h != header::documented) continue;
-        const std::size_t size = std::size_t{w[at]} + 1;
-        if (size <= left) {
-            if (w.xor_of(at, size) == 0 && is_convincing(w, at)) return {at, true};
-            continue;
-        }
-        if (size <= longest_short) return {at, false};
-        probe = std::max(probe, at + 1);
-        if (!find_short_landmark(w, probe) || may_be_report(w, at)) return {at, false};
+    bool found = false;
+    for (std::size_t at = 0; at < w.size(); ++at) {
+        const auto run = w.run(at);
+        rolling_xor sums(run);
+        bool ended = false;
+        at += find_candidate(run, 0, [&](std::size_t place) {
+            const std::size_t size = std::size_t{run[place]} + 1;
+            if (size <= run.size() - place && sums.over(place, size) != 0) return false;
+            return ended = ends_hunt(w, at + place, probe, found);
+        });
+        if (ended) return {at, found};
+        // A few bytes before the end of this piece: byte by byte into the next one.
+        const std::size_t left = w.size() - at, size = left != 0 ? std::size_t{w[at]} + 1 : 0;
+        if (left != 0 && (size > left || w.xor_of(at, size) == 0) && ends_hunt(w, at, probe, found)) return {at, found};
     }
     return {w.size(), false};
 }

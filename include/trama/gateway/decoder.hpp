@@ -94,13 +94,13 @@ private:
     }
     /// Runs to the record's end: behind ETX, before STX. The code is `ok` when an ETX ended printable content.
     constexpr errc scan_record(bytes_in in, std::size_t& used, bool& complete) noexcept {
-        for (;;) {
-            used += printable_run(in.data() + used, in.size() - used);
-            if (used == in.size()) return errc::ok;
-            if (in[used] == etx || in[used] == stx) break;
+        if (!foreign_character_) used += printable_run(in.data() + used, in.size() - used);
+        const auto is_delimiter = [](std::uint8_t c) { return c == stx || c == etx; };
+        while (used != in.size() && !is_delimiter(in[used])) {
             foreign_character_ = true;
             ++used;
         }
+        if (used == in.size()) return errc::ok;
         complete = true;
         const bool closed = in[used] == etx;
         const std::size_t characters = length_ + used - 1;
