@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <type_traits>
+#include <utility>
 
 namespace trama {
 namespace {
@@ -39,6 +41,21 @@ TEST(error, a_result_is_a_value_or_an_error) {
     EXPECT_FALSE(good == bad);
     const result<std::array<int, 2>> pair = std::array{1, 2};
     EXPECT_EQ(pair->at(1), 2);
+}
+
+/// What one line reads out of a temporary; as a constant expression, in which the compiler refuses to read a dead object.
+constexpr int kept_of_a_temporary() {
+    const auto make = [] { return result<std::array<int, 2>>(std::array{3, 4}); };
+    const std::array<int, 2>& kept = *make();
+    return kept[1] + make()->at(0);
+}
+
+TEST(error, the_value_of_a_temporary_result_can_be_kept) {
+    static_assert(kept_of_a_temporary() == 7);
+    static_assert(std::is_same_v<decltype(*std::declval<result<int>>()), int>);
+    static_assert(std::is_same_v<decltype(*std::declval<const result<int>>()), int>);
+    static_assert(std::is_same_v<decltype(*std::declval<result<int>&>()), const int&>, "a result that stays is not copied");
+    EXPECT_EQ(kept_of_a_temporary(), 7);
 }
 
 TEST(error, counters_count_by_code) {

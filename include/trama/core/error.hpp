@@ -37,7 +37,7 @@ constexpr std::string_view name_of(errc code) noexcept {
 }
 
 /// Names one value of a message by position: `orders[1].level` is field 10, index 1, sub-field 5.
-/// `path_text<M>` turns it into text.
+/// `print_path<M>` writes it as that text.
 struct field_ref {
     static constexpr std::uint8_t none = 0xFF;
     static constexpr std::uint8_t destination = 0xFE;  ///< The address of a daisy packet, no field of the message.
@@ -69,8 +69,11 @@ public:
     constexpr explicit operator bool() const noexcept { return !error_; }
     constexpr trama::error error() const noexcept { return error_; }
     constexpr errc code() const noexcept { return error_.code; }
-    /// The value. Precondition: there is one.
+    /// The value. Precondition: there is one. Of a temporary a copy, so that `const auto& m = *decode<M>(p);` is safe.
     constexpr const T& operator*() const& noexcept { assert(*this); return value_; }
+    constexpr T operator*() const&& noexcept { assert(*this); return value_; }
+    /// Precondition: there is a value. Of a temporary it lasts to the end of the full expression: `decode<M>(p)->x` is
+    /// safe, but a reference or pointer that is kept to it is not.
     constexpr const T* operator->() const noexcept { assert(*this); return &value_; }
     constexpr T value_or(const T& other) const noexcept { return *this ? value_ : other; }
 
