@@ -15,6 +15,13 @@ TEST(names, are_found_by_value) {
     EXPECT_EQ(name_of(gateway::cart_status::none), "") << "no bit has no name";
 }
 
+TEST(names, end_in_nul_so_that_printf_takes_them) {
+    EXPECT_STREQ(name_of(daisy::trigger::falling_edge).data(), "falling_edge");
+    EXPECT_STREQ(name_of(static_cast<daisy::state>(2)).data(), "") << "no null pointer";
+    EXPECT_STREQ(name_of(errc::bad_number).data(), "bad_number");
+    EXPECT_STREQ(name_of(static_cast<errc>(errc_count)).data(), "?");
+}
+
 TEST(names, tell_whether_a_value_is_listed) {
     for (unsigned v = 0; v != 256; ++v) {
         EXPECT_EQ(is_listed(static_cast<daisy::direction>(v)), v < 2);

@@ -22,7 +22,7 @@ named(E, const char*) -> named<E>;  // clang 14 has no deduction guides for aggr
 template <class E>
 concept enumerated = std::is_enum_v<E> && requires { names(E{}); };
 
-/// An enumerated type whose values combine: `flags(E)` is declared beside `names(E)`.
+/// An enumerated type whose values combine: `flags(E)` is declared beside `names(E)` and gives all bits that the wire can carry.
 template <class E>
 concept flag_set = enumerated<E> && requires { flags(E{}); };
 
@@ -45,13 +45,13 @@ constexpr bool is_listed(E value) noexcept {
     }
 }
 
-/// The document's name of `value`, empty when it has none.
+/// The document's name of `value`, empty when it has none; its data end in NUL in either case.
 template <enumerated E>
 constexpr std::string_view name_of(E value) noexcept {
     constexpr auto table = names(E{});
     for (const auto& e : table)
         if (e.value == value) return e.name;
-    return {};
+    return "";
 }
 
 /// The names alone, in the order of their declaration.
