@@ -12,7 +12,7 @@ enum class cart_status : std::uint16_t {
     none = 0, cart_error = 0x1, hook_error = 0x2, warning = 0x4, paused = 0x8, manual_mode = 0x10, maintenance = 0x20,
     busy = 0x40, ready = 0x80, parking = 0x100, loaded = 0x200, house_keeping = 0x400, shutdown_ready = 0x800,
 };
-consteval void flags(cart_status) {}
+consteval cart_status flags(cart_status) { return static_cast<cart_status>(0x3FFF); }  // the bits of 0..9999
 consteval auto names(cart_status) {
     using enum cart_status;
     return std::array{named{cart_error, "cart_error"}, named{hook_error, "hook_error"}, named{warning, "warning"}, named{paused, "paused"},
@@ -28,7 +28,7 @@ enum class circuit_check : std::uint32_t {
     undervoltage = 0x4000, overcurrent = 0x8000, cart_wrong_powerboard_version = 0x10000, power_supplies_fail = 0x20000,
     battery_fault = 0x40000, shutting_down = 0x80000, circuit_breaker_48v = 0x100000, all_carts_shutdown_ready = 0x200000,
 };
-consteval void flags(circuit_check) {}
+consteval circuit_check flags(circuit_check) { return static_cast<circuit_check>(0xFFFFFF); }  // the bits of 0..9999999
 consteval auto names(circuit_check) {
     using enum circuit_check;
     return std::array{named{cart_lost, "cart_lost"}, named{cart_wrong_platform_version, "cart_wrong_platform_version"},
@@ -50,6 +50,18 @@ template <gateway_flags E>
 constexpr E operator|(E a, E b) noexcept { return static_cast<E>(static_cast<std::underlying_type_t<E>>(a) | static_cast<std::underlying_type_t<E>>(b)); }
 template <gateway_flags E>
 constexpr E operator&(E a, E b) noexcept { return static_cast<E>(static_cast<std::underlying_type_t<E>>(a) & static_cast<std::underlying_type_t<E>>(b)); }
+template <gateway_flags E>
+constexpr E operator^(E a, E b) noexcept { return static_cast<E>(static_cast<std::underlying_type_t<E>>(a) ^ static_cast<std::underlying_type_t<E>>(b)); }
+/// The bits that `a` lacks of those that the columns can hold, named or not: `status &= ~cart_status::busy` clears one bit
+/// and keeps all others that can have come. All of them together may be more than the columns hold.
+template <gateway_flags E>
+constexpr E operator~(E a) noexcept { return a ^ (a | flags(E{})); }
+template <gateway_flags E>
+constexpr E& operator|=(E& a, E b) noexcept { return a = a | b; }
+template <gateway_flags E>
+constexpr E& operator&=(E& a, E b) noexcept { return a = a & b; }
+template <gateway_flags E>
+constexpr E& operator^=(E& a, E b) noexcept { return a = a ^ b; }
 /// True when any bit of `bits` is set in `value`.
 template <gateway_flags E>
 constexpr bool any_of(E value, E bits) noexcept { return (value & bits) != E{}; }
