@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace trama {
@@ -28,8 +29,32 @@ TEST(text, tells_whether_a_frame_can_carry_it) {
 
 TEST(text, longer_than_its_field_is_marked_and_not_cut_silently) {
     EXPECT_TRUE(text<3>("abc").printable());
+    EXPECT_FALSE(text<3>("abc").too_long());
+    EXPECT_FALSE(text<3>("a\x02").too_long());
+    EXPECT_TRUE(text<3>("abcd").too_long());
     EXPECT_FALSE(text<3>("abcd").printable());
     EXPECT_FALSE(text<3>("abc ").printable()) << "four characters are not three, be the last one a space";
+}
+
+/// Characters of somebody else's string type.
+struct label {
+    constexpr operator std::string_view() const noexcept { return "abc"; }
+};
+TEST(text, takes_every_kind_of_string) {
+    const std::string kept = "abc";
+    const text<5> expected = "abc";
+    EXPECT_EQ(text<5>(kept), expected);
+    EXPECT_EQ(text<5>(std::string_view("abcd").substr(0, 3)), expected);
+    EXPECT_EQ(text<5>(kept.c_str()), expected);
+    static_assert(text<5>(label{}) == text<5>("abc"));
+    text<5> assigned;
+    assigned = kept;
+    EXPECT_EQ(assigned, expected);
+    assigned = std::string(6, 'x');
+    EXPECT_TRUE(assigned.too_long());
+    assigned = {};
+    EXPECT_EQ(assigned, text<5>());
+    static_assert(!std::is_convertible_v<int, text<5>> && !std::is_convertible_v<char, text<5>> && !std::is_convertible_v<text<4>, text<5>>);
 }
 
 TEST(text, a_view_of_bytes_compares_by_content) {

@@ -19,12 +19,15 @@ struct text {
     std::array<char, Columns> columns = blank();
 
     constexpr text() = default;
-    /// Left-aligned copy of `s`. What is longer than the field is marked and refused by `encode`.
-    constexpr text(std::string_view s) noexcept {
+    /// Left-aligned copy of a literal, a std::string or whatever else is a std::string_view. What is longer than the field
+    /// is marked by a first character NUL, and refused by both encoders.
+    template <class S>
+        requires(std::is_convertible_v<const S&, std::string_view>)
+    constexpr text(const S& characters) noexcept {
+        const std::string_view s = characters;
         for (std::size_t i = 0; i != s.size() && i != Columns; ++i) columns[i] = s[i];
         if (s.size() > Columns) columns[0] = '\0';
     }
-    constexpr text(const char* s) noexcept : text(std::string_view{s}) {}
 
     /// The text without the spaces that pad it on the right. Lives as long as this object.
     constexpr std::string_view view() const& noexcept {
@@ -33,6 +36,8 @@ struct text {
         return {columns.data(), n};
     }
     std::string_view view() const&& = delete;
+    /// True when what was to be kept here was longer than the field.
+    constexpr bool too_long() const noexcept { return columns[0] == '\0'; }
     /// False when a delimiter or another control character hides inside.
     constexpr bool printable() const noexcept {
         if constexpr (Columns >= 8 && Columns <= 16)
