@@ -147,8 +147,25 @@ TEST(validate, what_the_columns_cannot_carry_is_a_violation_too) {
     EXPECT_EQ(unfit(s).field.field, 8);
     s = {};
     s.orders[1].cargo_id = std::string_view("a\x03" "b");
-    EXPECT_EQ(complaints(s).size(), 1U);
+    EXPECT_EQ(complaints(s), list{"orders[1].cargo_id=3 printable ASCII"});
     EXPECT_EQ(refusal(s).field, (field_ref{10, 1, 8}));
+    s.orders[1].cargo_id = std::string("eleven long");
+    EXPECT_EQ(complaints(s), list{"orders[1].cargo_id=0 a text that fits the field; 0 stands for one that does not"});
+}
+
+TEST(validate, says_what_the_document_allows_where_the_wire_cannot_carry_the_value_either) {
+    gateway::ack m;
+    m.src_type = static_cast<gateway::order_type>(1000);
+    EXPECT_EQ(complaints(m)[0].substr(0, 32), "src_type=1000 load|transit|unloa");
+    gateway::circuit_state c;
+    c.mode = static_cast<gateway::circuit_mode>(10);
+    EXPECT_EQ(complaints(c)[0].substr(0, 33), "mode=10 no_power_freezing|no_powe");
+    gateway::cart_state s;
+    s.orders[0].level = 100;
+    EXPECT_EQ(complaints(s), list{"orders[0].level=100 0..15"});
+    s = {};
+    s.cart_status = static_cast<gateway::cart_status>(10000);
+    EXPECT_EQ(complaints(s), list{"cart_status=10000 0..9999"}) << "of flags the document allows all";
 }
 
 TEST(validate, a_list_of_violations_has_room_for_all_of_them) {

@@ -9,11 +9,12 @@ template <class W>
 inline constexpr rule wire_rule = between(W::low, W::high);
 template <enumerated E>
 inline constexpr rule names_rule = {0, 0, 0, 0, name_list<E>, {}};
-inline constexpr rule printable_rule{0, 0, 0, 0, {}, "printable ASCII that fits the field"};
+inline constexpr rule printable_rule{0, 0, 0, 0, {}, "printable ASCII"};
+inline constexpr rule fitting_rule{0, 0, 0, 0, {}, "a text that fits the field; 0 stands for one that does not"};
 inline constexpr rule absent_rule{0, 0, 0, 0, {}, "nothing, the field does not exist in this message"};
 inline constexpr rule count_rule{0, 0, 0, 0, {}, "as many values as the message announces"};
 
-/// A leaf's value as violations report it: a number; of bytes their count, of a text its first bad character.
+/// A leaf's value as violations report it: a number; of bytes their count, of a text its first bad character (0 if it is too long).
 template <class V>
 constexpr std::int64_t as_number(const V& v) noexcept {
     if constexpr (std::is_enum_v<V> || std::integral<V>) {
@@ -38,11 +39,11 @@ template <class W, class V>
 template <class W, class V>
 [[gnu::always_inline]] constexpr const rule* broken_rule(const V& v, const rule& own) noexcept {
     if constexpr (requires { v.columns; }) {
-        return v.printable() ? nullptr : &printable_rule;
+        return v.printable() ? nullptr : v.too_long() ? &fitting_rule : &printable_rule;
     } else if constexpr (enumerated<V>) {
-        if (!wire_carries<W>(v)) return &wire_rule<W>;
-        if (!own.any()) return own.allows(as_number(v)) ? nullptr : &own;
-        return is_listed(v) ? nullptr : &names_rule<V>;
+        if (!own.any() && !own.allows(as_number(v))) return &own;
+        if (own.any() && !is_listed(v)) return &names_rule<V>;
+        return wire_carries<W>(v) ? nullptr : &wire_rule<W>;
     } else {
         if (!own.allows(as_number(v))) return &own;
         if constexpr (requires { W::low; }) return wire_carries<W>(v) ? nullptr : &wire_rule<W>;
