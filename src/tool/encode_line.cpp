@@ -98,7 +98,7 @@ private:
         for_each_violation(m, find);
         std::array<char, 1024> memory;
         text_sink out(memory);
-        print_where<M>(out, refused.field);
+        print_path<M>(out, refused.field);
         return explain(out, told);
     }
     std::string explain(text_sink& out, const violation& told) const {

@@ -84,7 +84,7 @@ bool print_violations(line& l, const typename F::event& e, const M& m) {
         else out << ',';
         any = true;
         out << (json ? "{\"field\":\"" : "");
-        print_where<M>(out, v.field);
+        print_path<M>(out, v.field);
         out << (json ? "\",\"value\":" : " is ") << v.value << (json ? ",\"allowed\":\"" : ", allowed ");
         out.allowed(*v.allowed);
         if (json) out << "\"}";

@@ -15,12 +15,4 @@ extern template bool print_event<gateway::format>(text_sink&, const gateway::eve
 /// Room for the longest line.
 inline constexpr std::size_t longest_line = 1 << 15;
 
-/// The field of an error or violation, the packet's addresses included.
-template <has_layout M>
-void print_where(text_sink& out, field_ref at) noexcept {
-    if (at.field == field_ref::source) out << "source";
-    else if (at.field == field_ref::destination) out << "destination";
-    else print_path<M>(out, at);
-}
-
 }  // namespace trama::tool

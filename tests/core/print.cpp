@@ -92,6 +92,8 @@ TEST(print, paths_name_fields_elements_and_members) {
     EXPECT_EQ(path<can::define_function>({6, 2}), "sensors[2]");
     EXPECT_EQ(path<can::sensor_readings>({3, 3, 1}), "readings[3].value");
     EXPECT_EQ(path<can::set_clock>({}), "");
+    EXPECT_EQ(path<daisy::common::ping>({field_ref::source}), "source");
+    EXPECT_EQ(path<daisy::dc_motor::set_dc_speed>({field_ref::destination}), "destination");
 }
 
 TEST(print, a_buffer_too_small_by_one_is_told) {

@@ -69,8 +69,7 @@ std::string fields_and_violations(const typename F::envelope& e, const M& m) {
         std::string_view before = ",\"violations\":[";
         const auto print = [&](const violation& v) {
             out << before << "{\"field\":\"";
-            if (v.field.field == field_ref::source) out << "source";
-            else print_path<M>(out, v.field);
+            print_path<M>(out, v.field);
             out << "\",\"value\":" << v.value << ",\"allowed\":\"";
             out.allowed(*v.allowed) << "\"}";
             before = ",";
