@@ -72,6 +72,51 @@ TEST(daisy_format, a_source_that_is_everyone_is_a_violation) {
     EXPECT_EQ(n, 1U);
 }
 
+/// The fields of `validate(e, m)`, in order, and whether `encode` agrees with the first.
+template <class M>
+std::vector<std::string> faults(const envelope& e, const M& m) {
+    std::vector<std::string> all;
+    for (const violation& v : validate(e, m)) {
+        std::array<char, 128> memory;
+        text_sink out(memory);
+        print_path<M>(out, v.field);
+        out << '=' << v.value << ' ';
+        out.allowed(*v.allowed);
+        all.emplace_back(out.view());
+    }
+    std::array<std::uint8_t, max_packet> wire{};
+    EXPECT_EQ(bool(encode(e, m, wire)), all.empty());
+    return all;
+}
+
+TEST(daisy_format, validates_the_addresses_with_the_message) {
+    using list = std::vector<std::string>;
+    const std::string right = "an address of the family that defines the command";
+    EXPECT_EQ(faults({board(2, 1), board(0, 0)}, servo_motor::set_position{4, 180}), list{});
+    EXPECT_EQ(faults({board(2, 15), board(0, 15)}, servo_motor::set_position{5, 181}), (list{"source=15 id 0..14", "servo_id=5 0..4", "position=181 0..180"}));
+    EXPECT_EQ(faults({board(1, 1), board(0, 0)}, servo_motor::set_position{}), list{"destination=17 " + right});
+    EXPECT_EQ(faults({board(2, 1), board(3, 15)}, dc_motor::get_encoder{}), (list{"source=63 id 0..14", "destination=33 " + right}));
+    EXPECT_EQ(faults({everyone, board(0, 0)}, common::ping{}), list{});
+    EXPECT_EQ(validate(dc_motor::set_direction{static_cast<direction>(2)}).size(), 1U) << "without addresses, also from inside the namespace";
+}
+
+TEST(daisy_format, a_list_of_violations_has_room_for_the_addresses_too) {
+    constexpr auto all = validate(envelope{board(1, 1), board(3, 15)}, servo_motor::set_position{5, 181});
+    static_assert(all.size() == 4);
+}
+
+TEST(daisy_format, the_free_encoders_are_those_of_the_format) {
+    const envelope to_servo{board(2, 1), board(0, 0)};
+    const servo_motor::set_position good{4, 180}, bad{9, 181};
+    std::array<std::uint8_t, max_packet> free{}, own{};
+    EXPECT_EQ(encode_unchecked(to_servo, bad, free), format::encode_unchecked(to_servo, bad, own));
+    EXPECT_EQ(free, own);
+    EXPECT_EQ(free[5], 181);
+    EXPECT_EQ(encode(to_servo, bad, free).error(), (error{errc::out_of_range, {0}}));
+    EXPECT_EQ(encode(to_servo, good, free).value_or(0), encode_unchecked(to_servo, good, own).value_or(1));
+    EXPECT_EQ(free, own);
+}
+
 TEST(daisy_format, refuses_violations_unless_asked_by_name) {
     const envelope to_servo{board(2, 1), board(0, 0)};
     EXPECT_EQ(refused(to_servo, servo_motor::set_position{0, 181}), (error{errc::out_of_range, {1}}));

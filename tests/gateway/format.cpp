@@ -99,6 +99,23 @@ TEST(gateway_format, a_violation_is_written_only_unchecked) {
     EXPECT_EQ(written(a, justify::right, false), "<101    0    0  0    0>");
 }
 
+TEST(gateway_format, the_free_encoders_are_those_of_the_format) {
+    load m{1, 20, 300, 0, 16, "opt", "", "c 1"};
+    for (const justify side : {justify::right, justify::left}) {
+        std::array<std::uint8_t, max_record> free{}, own{};
+        EXPECT_EQ(encode(m, free, side).error(), (error{errc::out_of_range, {4}}));
+        EXPECT_EQ(encode_unchecked(m, free, side), format::encode_unchecked({}, m, own, side));
+        EXPECT_EQ(free, own);
+        EXPECT_EQ(free[24], '1');
+    }
+    std::array<std::uint8_t, max_record> free{}, own{};
+    EXPECT_EQ(encode_unchecked(m, free).value_or(0), 57U);
+    EXPECT_TRUE(encode_unchecked(m, own, justify::right));
+    EXPECT_EQ(free, own);
+    m.level = 100;
+    EXPECT_EQ(encode_unchecked(m, free).error(), (error{errc::out_of_range, {4}}));
+}
+
 TEST(gateway_format, sizes_are_those_of_the_table) {
     const auto payload = []<class M>(const M& m) { return format::encoded_size(m) - 2; };
     EXPECT_EQ(payload(load{}), 55U);

@@ -58,4 +58,9 @@ template <has_layout M>
     requires(messages::contains<M>)
 constexpr result<std::size_t> encode(const envelope& e, const M& m, std::span<frame> out) noexcept { return format::encode(e, m, out); }
 
+/// As `encode`, for values that the document does not allow yet the wire can carry. As `format::encode_unchecked`.
+template <has_layout M>
+    requires(messages::contains<M>)
+constexpr result<std::size_t> encode_unchecked(const envelope& e, const M& m, std::span<frame> out) noexcept { return format::encode_unchecked(e, m, out); }
+
 }  // namespace trama::can

@@ -28,6 +28,7 @@ struct format {
     template <has_layout M>
     static constexpr void for_each_violation(const daisy::envelope& e, const M&, auto&& f) noexcept {
         if (e.source.broadcast()) f(violation{{field_ref::source}, e.source.octet, &source_rule});
+        if (!fits<M>(e)) f(violation{{field_ref::destination}, e.destination.octet, &destination_rule});
     }
 
     /// Writes `m` as a packet to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with the first field
@@ -43,7 +44,7 @@ struct format {
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode_unchecked(const daisy::envelope& e, const M& m, std::span<unit> out) noexcept {
-        if (family_of(e, command_of(M::key)) != family_of(M::key)) return trama::error{errc::out_of_range, {field_ref::destination}};
+        if (!fits<M>(e)) return trama::error{errc::out_of_range, {field_ref::destination}};
         if (!fits_wire(m)) return unfit(m);
         const std::size_t size = encoded_size(m);
         if (out.size() < size) return errc::buffer_too_small;
@@ -58,6 +59,11 @@ struct format {
         out[size - 1] = crc;
         return size;
     }
+
+private:
+    /// True when the addresses imply the family that defines `M`. [D3]
+    template <has_layout M>
+    static constexpr bool fits(const daisy::envelope& e) noexcept { return family_of(e, command_of(M::key)) == family_of(M::key); }
 };
 static_assert(wire_format<format>);
 
@@ -65,5 +71,24 @@ static_assert(wire_format<format>);
 template <has_layout M>
     requires(messages::contains<M>)
 constexpr result<std::size_t> encode(const envelope& e, const M& m, std::span<std::uint8_t> out) noexcept { return format::encode(e, m, out); }
+
+/// As `encode`, for values that the document does not allow yet the wire can carry. As `format::encode_unchecked`.
+template <has_layout M>
+    requires(messages::contains<M>)
+constexpr result<std::size_t> encode_unchecked(const envelope& e, const M& m, std::span<std::uint8_t> out) noexcept {
+    return format::encode_unchecked(e, m, out);
+}
+
+using trama::validate;
+/// Every violation of `m` between the addresses `e`, those of the addresses first: what makes `encode` refuse it.
+template <has_layout M>
+    requires(messages::contains<M>)
+constexpr auto validate(const envelope& e, const M& m) noexcept {
+    violation_list<leaf_count<M> + 2> all;
+    const auto note = [&](const violation& v) { all.push_back(v); };
+    format::for_each_violation(e, m, note);
+    for_each_violation(m, note);
+    return all;
+}
 
 }  // namespace trama::daisy

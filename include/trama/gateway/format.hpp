@@ -95,4 +95,11 @@ constexpr result<std::size_t> encode(const M& m, std::span<std::uint8_t> out, ju
     return format::encode({}, m, out, side);
 }
 
+/// As `encode`, for values that the document does not allow yet the columns can carry. As `format::encode_unchecked`.
+template <has_layout M>
+    requires(messages::contains<M>)
+constexpr result<std::size_t> encode_unchecked(const M& m, std::span<std::uint8_t> out, justify side = justify::right) noexcept {
+    return format::encode_unchecked({}, m, out, side);
+}
+
 }  // namespace trama::gateway
