@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "trama/core/describe.hpp"
 #include "trama/trama.hpp"
 
 namespace {

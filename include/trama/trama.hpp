@@ -13,7 +13,7 @@
 ///     to_json, to_text       the message in words
 ///     footing(stream, from)  where a large stream may be cut (daisy, gateway), for many cores or machines
 #include "trama/can/format.hpp"
-#include "trama/core/print.hpp"
+#include "trama/core/describe.hpp"
 #include "trama/core/view.hpp"
 #include "trama/daisy/footing.hpp"
 #include "trama/daisy/format.hpp"

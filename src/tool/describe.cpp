@@ -9,7 +9,6 @@
 
 #include "tool/options.hpp"
 #include "tool/output.hpp"
-#include "trama/core/describe.hpp"
 #include "trama/trama.hpp"
 
 namespace trama::tool {

@@ -42,7 +42,7 @@ private:
     template <class T>
     bool read_number(std::string_view name, std::int64_t most, T& out) {
         const json_value* v = line_.find(name);
-        if (v == nullptr) return fail(std::string{name} + " is missing");
+        if (v == nullptr) return fail(std::string{name} + ": it is missing");
         const auto n = whole_number(*v);
         if (!n || *n < 0 || *n > most) return fail(std::string{name} + ": a whole number in 0.." + std::to_string(most) + " is needed");
         out = static_cast<T>(*n);
@@ -66,7 +66,7 @@ private:
     }
     bool read_message() {
         const json_value* name = line_.find("message");
-        if (name == nullptr) return fail("message is missing");
+        if (name == nullptr) return fail("message: it is missing");
         bool found = false, good = false;
         F::messages::each([&]<class M>() {
             if (found || name->type != json_value::kind::string || !is_called<M>(name->text)) return;
@@ -78,9 +78,9 @@ private:
     template <class M>
     [[gnu::noinline]] bool encode_as() {
         M m{};
-        message_reader reader;
+        message_reader reader(unchecked_);
         const json_value* values = line_.find("fields");
-        if (values != nullptr && !reader.read(*values, m)) return fail("fields: " + reader.error());
+        if (values != nullptr && !reader.read(*values, m)) return fail(reader.error());
         if constexpr (requires { m.expected_count(); m.readings.count; })  // the default for a list is zeros
             if (values == nullptr || values->find("readings") == nullptr) m.readings.count = static_cast<std::uint8_t>(m.expected_count());
         std::array<typename F::unit, F::max_units> units;
@@ -101,12 +101,10 @@ private:
         print_path<M>(out, refused.field);
         return explain(out, told);
     }
-    std::string explain(text_sink& out, const violation& told) const {
+    static std::string explain(text_sink& out, const violation& told) {
         if (told.allowed != nullptr) {
             out << ": " << told.value << " is not allowed (";
             out.allowed(*told.allowed) << ')';
-        } else if constexpr (is_daisy) {
-            out << ": " << envelope_.destination.octet << " is no address of the family that defines the message";
         }
         return std::string{out.view()};
     }
@@ -123,7 +121,7 @@ private:
 template <wire_format F>
 encoded<F> encode_line(std::string_view line, bool unchecked) {
     const json_result parsed = parse_json(line);
-    if (!parsed.error.empty()) return {{}, "column " + std::to_string(parsed.column) + ": " + std::string{parsed.error}};
+    if (!parsed.error.empty()) return {{}, "column " + std::to_string(parsed.column) + ": " + parsed.error};
     return line_encoder<F>(parsed.value, unchecked).run();
 }
 

@@ -1,6 +1,7 @@
 #include "tool/from_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -48,9 +49,8 @@ std::optional<std::int64_t> number_in_tenths(const json_value& v) {
 }
 
 bool message_reader::fail(std::string_view what) {
-    error_ = path_;
-    if (!path_.empty()) error_ += ": ";
-    error_ += what;
+    error_ = path_.empty() ? "fields" : path_;
+    error_.append(": ").append(what);
     return false;
 }
 
@@ -71,11 +71,16 @@ std::size_t message_reader::enter(std::size_t index) {
     return before;
 }
 
-bool message_reader::read_number(const json_value& v, wire::print printed, std::int64_t low, std::int64_t high, std::int64_t& out) {
+bool message_reader::read_number(const json_value& v, wire::print printed, const rule& range, const rule& told, std::int64_t& out) {
     const bool tenths = printed == wire::print::tenths;
     const auto n = tenths ? number_in_tenths(v) : whole_number(v);
     if (!n) return fail(tenths ? "a number with at most one decimal is needed" : "a whole number is needed");
-    if (*n < low || *n > high) return fail(v.text + " is not allowed (" + std::to_string(low) + ".." + (tenths ? "999.9" : std::to_string(high)) + ")");
+    if (!range.allows(*n)) {
+        std::array<char, 1024> memory;
+        text_sink allowed(memory);
+        allowed.allowed(told);
+        return fail(v.text + " is not allowed (" + std::string{allowed.view()} + ")");
+    }
     out = *n;
     return true;
 }

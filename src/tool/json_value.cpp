@@ -17,7 +17,7 @@ public:
         value(r.value, 0);
         space();
         if (error_.empty() && at_ != text_.size()) fail("something follows the value");
-        r.error = error_;
+        r.error = std::move(error_);
         r.column = at_ + 1;
         return r;
     }
@@ -66,7 +66,7 @@ private:
             bool wide = false;
             if (peek() != '"') return fail("a name in quotes is missing");
             if (!string(member.name, wide)) return false;
-            if (v.find(member.name) != nullptr) return fail("a name stands twice");
+            if (v.find(member.name) != nullptr) return fail(member.name + ": it stands twice");
             if (!take(':')) return fail("a colon is missing");
             if (!value(member.value, depth + 1)) return false;
             v.members.push_back(std::move(member));
@@ -161,7 +161,7 @@ private:
 
     std::string_view text_;
     std::size_t at_ = 0;
-    std::string_view error_;
+    std::string error_;
 };
 
 }  // namespace

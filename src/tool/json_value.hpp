@@ -34,7 +34,7 @@ inline const json_value* json_value::find(std::string_view name) const {
 /// What came of reading a text: a value, or what is wrong at which column, from 1.
 struct json_result {
     json_value value;
-    std::string_view error;
+    std::string error;
     std::size_t column = 0;
 };
 json_result parse_json(std::string_view text);

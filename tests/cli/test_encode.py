@@ -277,6 +277,74 @@ class Violations(ToolCase):
         self.encode_refuses("can", can("set_clock", year=10000), "year", options=["--unchecked"])
 
 
+class RefusalsInWords(ToolCase):
+    """`line N: FIELD: …`, with what the document allows, or unchecked what the wire carries."""
+    MODES = "no_power_freezing|no_power_frozen|init|manual|semi_automatic|automatic|shutdown_ready|shutting_down"
+    TRANSITS = "none|load|transit|unload|go_parking|go_node"
+    LINES = (  # the field, the value, what the document allows, what the wire carries
+        (gateway("cart_state", orders=[{"level": 100}, {}]), "orders[0].level", 100, "0..15", "0..99"),
+        (gateway("cart_state", orders=[{}, {"type": 1000}]), "orders[1].type", 1000, TRANSITS, "0..999"),
+        (gateway("cart_state", rel_position=1000), "rel_position", 1000, "0..100", "0..999"),
+        (gateway("cart_state", cart_status=[1, 16384]), "cart_status", 16384, "0..9999", "0..9999"),
+        (gateway("cart_state", speed_mms=-10000), "speed_mms", -10000, "-9999..99999", "-9999..99999"),
+        (gateway("circuit_state", mode=10), "mode", 10, MODES, "0..9"),
+        (gateway("circuit_state", circuit_voltage=1000), "circuit_voltage", 1000, "0.0..999.9", "0.0..999.9"),
+        (gateway("ack", src_type=1000), "src_type", 1000,
+         "load|transit|unload|go_parking|go_node|cancel_transits|send_command|send_inputs|send_cargo_id|cross_granted|idle_processing",
+         "0..999"),
+        (daisy("servo_motor.set_all_positions", 32, positions=[0, 256, 0, 0, 0]), "positions[1]", 256, "0..180", "0..255"),
+        (daisy("dc_motor.set_direction", direction=256), "direction", 256, "clockwise|counter_clockwise", "0..255"),
+        (can("set_clock", month=256), "month", 256, "1..12", "0..255"),
+    )
+
+    def said(self, line, options=()):
+        protocol = line["protocol"]
+        return self.encode_refuses(protocol, line, options=options)
+
+    def test_state_the_rule_of_the_document_and_unchecked_the_range_of_the_wire(self):
+        for line, field, value, documented, carried in self.LINES:
+            with self.subTest(field):
+                self.assertEqual(self.said(line), f"trama: encode: line 1: {field}: {value} is not allowed ({documented})\n")
+                self.assertEqual(self.said(line, ["--unchecked"]), f"trama: encode: line 1: {field}: {value} is not allowed ({carried})\n")
+
+    def test_are_the_same_whether_the_wire_carries_the_value_or_not(self):
+        for carried, not_carried in ((gateway("load", level=99), gateway("load", level=100)),
+                                     (gateway("circuit_state", mode=9), gateway("circuit_state", mode=10)),
+                                     (daisy("dc_motor.set_direction", direction=255), daisy("dc_motor.set_direction", direction=256))):
+            self.assertEqual(*(self.said(line).split("is not allowed")[1] for line in (carried, not_carried)))
+
+    def test_begin_with_the_field(self):
+        no_source, no_message = daisy(), gateway()
+        del no_source["source"], no_message["message"]
+        for line, beginning in ((gateway(msg_id="x"), "msg_id: "), (gateway("load", level=16), "level: "), (no_source, "source: "),
+                                (no_message, "message: "), ({**gateway(), "fields": 1}, "fields: "), (gateway(levl=1), "levl: "),
+                                (daisy("dc_motor.set_direction", 32), "destination: 32 is not allowed ("), (daisy(kind=1), "kind: ")):
+            with self.subTest(beginning):
+                self.assertTrue(self.said(line).startswith("trama: encode: line 1: " + beginning), self.said(line))
+
+    def test_name_what_stands_twice(self):
+        line = '{"message":"load","fields":{"level":1,"msg_id":1,"level":2}}'
+        self.encode_refuses("gateway", line, "line 1: column 57: level: it stands twice")
+
+
+class Limits(ToolCase):
+    LINE = '{"message":"idle_processing","fields":{"msg_id":12},"violations":%s}'
+
+    def test_of_a_line_s_length(self):
+        line = self.LINE % "0"
+        self.assertEqual(self.encode("gateway", line.ljust(65535))[0], record(" 50   12"))
+        out, err = self.encode("gateway", line.ljust(65536), line, status=1)
+        self.assertEqual((out, err), (record(" 50   12"), "trama: encode: line 1: the line is too long\n"))
+
+    def test_of_nesting(self):
+        for depth, good in ((15, True), (16, False)):  # the line itself is one more
+            line = self.LINE % ("[" * depth + "0" + "]" * depth)
+            if good:
+                self.assertEqual(self.encode("gateway", line)[0], record(" 50   12"))
+            else:
+                self.encode_refuses("gateway", line, "nested too deeply")
+
+
 class BadLines(ToolCase):
     GOOD = '{"message":"idle_processing","fields":{"msg_id":12}}'
 

@@ -21,20 +21,27 @@ struct layout_row {
     std::span<const std::string_view> flags{}; ///< Of a flag set, the names of its bits, lowest first.
 };
 
-namespace detail {
-
 inline constexpr rule tenths_range{0, 0, 0, 0, {}, "0.0..999.9"};
 
-/// What is to be said about a value: the field's own rule, its names, or what the wire can carry.
+/// The numbers that wire type `W` can carry, spelled as it prints them.
+template <class W>
+constexpr const rule& printed_range() noexcept {
+    if constexpr (W::printed == wire::print::tenths) return tenths_range;
+    else return wire_rule<W>;
+}
+
+/// What is to be said about a value: the field's own rule, its names, or what the wire can carry; null where it may be anything.
 template <class W, class V>
 constexpr const rule* documented_rule(const rule& own) noexcept {
     if (!own.any()) return &own;
     if constexpr (requires { typename W::element; }) return documented_rule<typename W::element, typename W::element::value>(own);
     else if constexpr (flag_set<V>) return nullptr;
     else if constexpr (enumerated<V>) return &names_rule<V>;
-    else if constexpr (requires { W::low; W::printed; }) return W::printed == wire::print::tenths ? &tenths_range : &wire_rule<W>;
+    else if constexpr (requires { W::low; W::printed; }) return &printed_range<W>();
     else return nullptr;
 }
+
+namespace detail {
 
 template <class M, std::size_t I>
 constexpr layout_row row_of(std::size_t offset) noexcept {
