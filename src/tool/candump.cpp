@@ -68,13 +68,12 @@ bool parse_payload(std::string_view text, can::frame& f) noexcept {
 }  // namespace
 
 std::optional<std::uint64_t> parse_seconds(std::string_view text) noexcept {
-    constexpr std::uint64_t most = 18'000'000'000;
     std::uint64_t seconds = 0, fraction = 0, unit = per_second;
     const auto digit = [&] { return !text.empty() && text.front() >= '0' && text.front() <= '9'; };
     const auto take = [&] { const auto d = static_cast<std::uint64_t>(text.front() - '0'); text.remove_prefix(1); return d; };
     if (!digit()) return std::nullopt;
     while (digit())
-        if (seconds = seconds * 10 + take(); seconds > most) return std::nullopt;
+        if (seconds = seconds * 10 + take(); seconds > most_seconds) return std::nullopt;
     if (!text.empty() && text.front() == '.') {
         text.remove_prefix(1);
         if (!digit()) return std::nullopt;

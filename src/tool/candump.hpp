@@ -18,6 +18,8 @@ std::optional<can::frame> parse_candump(std::string_view line) noexcept;
 /// Writes a frame as such a line, with its end.
 void print_candump(text_sink& out, const can::frame& f) noexcept;
 
+/// The most seconds that `parse_seconds` takes.
+inline constexpr std::uint64_t most_seconds = 18'000'000'000;
 /// A decimal number of seconds in nanoseconds; nothing if `text` is no such number or too large.
 std::optional<std::uint64_t> parse_seconds(std::string_view text) noexcept;
 

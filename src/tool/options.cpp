@@ -1,6 +1,7 @@
 #include "tool/options.hpp"
 
 #include <charconv>
+#include <string>
 
 #include "tool/output.hpp"
 
@@ -98,7 +99,7 @@ private:
     void timeout(std::string_view seconds) {
         if (!good_) return;
         const auto t = parse_seconds(seconds);
-        if (!t) return fail("--timeout takes seconds, such as 0.5, not ", seconds);
+        if (!t) return fail("--timeout takes seconds, such as 0.5, up to " + std::to_string(most_seconds) + ", not ", seconds);
         found_.timeout = *t;
         timeout_given_ = true;
     }
