@@ -36,10 +36,11 @@ private:
     std::string_view gap_;
 };
 
-void print_address(line& l, std::string_view name, daisy::address a) {
-    if (l.style() == notation::json) { l.key(name) << a.octet; return; }
-    const std::uint8_t octets[] = {a.octet};
-    l.key(name).hex(octets);
+/// A byte that people know in hex.
+void print_byte(line& l, std::string_view name, std::uint8_t value) {
+    const std::uint8_t octets[] = {value};
+    if (l.style() == notation::json) l.key(name) << value;
+    else (l.key(name) << "0x").hex(octets);
 }
 
 /// Where the event lies in the input.
@@ -62,12 +63,12 @@ void print_error(line& l, const typename F::event& e, errc code) {
     if (code != errc::noise) l.hex("bytes", e.bytes.empty() ? e.packet.body() : e.bytes);
     if constexpr (std::is_same_v<F, daisy::format>) {
         if (code == errc::bad_checksum) {
-            l.key("expected") << e.expected;
-            l.key("received") << e.received;
+            print_byte(l, "expected", e.expected);
+            print_byte(l, "received", e.received);
         } else if (code == errc::unknown_message) {
-            print_address(l, "destination", e.packet.envelope().destination);
-            print_address(l, "source", e.packet.envelope().source);
-            l.key("command") << e.packet.command();
+            print_byte(l, "destination", e.packet.envelope().destination.octet);
+            print_byte(l, "source", e.packet.envelope().source.octet);
+            print_byte(l, "command", e.packet.command());
         }
     } else if constexpr (std::is_same_v<F, gateway::format>) {
         if (code == errc::unknown_message) l.key("type") << e.packet.type();
@@ -98,8 +99,8 @@ bool print_violations(line& l, const typename F::event& e, const M& m) {
 template <wire_format F, has_layout M>
 bool print_message(line& l, const typename F::event& e, const M& m) {
     if constexpr (std::is_same_v<F, daisy::format>) {
-        print_address(l, "destination", e.packet.envelope().destination);
-        print_address(l, "source", e.packet.envelope().source);
+        print_byte(l, "destination", e.packet.envelope().destination.octet);
+        print_byte(l, "source", e.packet.envelope().source.octet);
     }
     l.name("message", M::name);
     if constexpr (std::is_same_v<F, daisy::format>) l.name("kind", e.packet.response() ? "response" : "request");

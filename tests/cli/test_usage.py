@@ -29,6 +29,12 @@ class Usage(ToolCase):
             with self.subTest(words):
                 self.refused(*words)
 
+    def test_the_longest_time_out_is_told(self):
+        most = 18_000_000_000
+        self.assertEqual(trama("decode", "can", "--timeout", str(most)).status, 0)
+        for wrong in (str(most + 1), "1" + "0" * 12, "9" * 40):
+            self.assertIn(f"up to {most}, not {wrong}", self.refused("decode", "can", "--timeout", wrong))
+
     def test_unknown_options(self):
         for command in ("decode", "encode"):
             for option in ("--hexx", "-x", "--unknown=1"):
@@ -172,6 +178,13 @@ class Text(ToolCase):
                 self.assertIn(name, text)
                 if isinstance(value, (int, str)):
                     self.assertIn(str(value).replace("\\", "\\\\").replace('"', '\\"'), text)
+
+    def test_bytes_that_people_know_in_hex_are_marked_as_such(self):
+        given = packet("11 00 43") + packet("11 00 7E") + octets("05 11 00 40 01 54")
+        unknown, checksum = self.decode("daisy", given, "--format", "text", status=1)[1:]
+        self.assertIn(" destination=0x11 source=0x00 message=dc_motor.get_encoder ", self.decode("daisy", given, "--format", "text", status=1)[0])
+        self.assertTrue(unknown.endswith(" bytes=0411007e6b destination=0x11 source=0x00 command=0x7e"), unknown)
+        self.assertTrue(checksum.endswith(" expected=0x55 received=0x54"), checksum)
 
     def test_every_kind_of_event_has_a_line(self):
         for protocol, given, words in (
