@@ -19,6 +19,8 @@ int main() {
     std::span<const std::uint8_t> in(reinterpret_cast<const std::uint8_t*>(socket), sizeof socket - 1);
     gateway::decoder decoder;
     const auto event = decoder.next(in);
-    if (const auto reply = decode<gateway::transit_ack>(event.packet))
-        std::printf("order %u is transit %.*s\n", reply->src_msg_id, 10, reply->transit_id.columns.data());
+    if (const auto reply = decode<gateway::transit_ack>(event.packet)) {
+        const std::string_view transit = reply->transit_id.view();  // without the spaces that fill the field
+        std::printf("order %u is transit %.*s\n", reply->src_msg_id, static_cast<int>(transit.size()), transit.data());
+    }
 }
