@@ -98,4 +98,14 @@ TEST(daisy_false_phase, an_undocumented_packet_that_holds_a_documented_one_is_no
     EXPECT_EQ(codes_of(ping + tunnel), expected);
 }
 
+/// A long documented header that straddles the packets' bounds must not keep the shadow from what lies inside it.
+TEST(daisy_false_phase, what_a_refused_packet_holds_is_not_held_against_its_follower) {
+    const bytes tunnel{0x0a, 0x11, 0x00, 0x33, 0x81, 0x04, 0x10, 0x00, 0x03, 0x17, 0xa9};
+    const bytes latin_1{0x0d, 0x00, 0x11, 0x81, 0x44, 0x69, 0x72, 0x65, 0x63, 0x63, 0x69, 0xf3, 0x6e, 0x53};
+    std::vector<errc> expected(5 + 60, errc::ok);
+    expected[1] = errc::noise;         // the tunnel, up to the ping in it
+    expected[3] = errc::bad_checksum;  // its CRC, which may be a LEN
+    EXPECT_EQ(codes_of(ping + tunnel + latin_1 + ping * 60), expected);
+}
+
 }  // namespace

@@ -83,6 +83,20 @@ class sight {
     return true;
   }
 
+  // The packet at q has not come whole. If it holds a whole landmark of at most 22 bytes, nobody waits for it, unless it
+  // may become an error whose rejected packet has the right length. A landmark that may yet come whole is waited for.
+  bool worth_waiting_for(std::size_t q, std::size_t end) const {
+    constexpr std::size_t longest_short = 22;
+    for (std::size_t inner = q + 1; inner < end; ++inner) {
+      const header begun = documented_header(inner, end);
+      if (begun == header::possible) return true;
+      if (begun == header::impossible || packet_end(inner) - inner > longest_short) continue;
+      if (!complete(inner, end)) return true;
+      if (landmark(inner, end)) return at(q + 3) == 0x04 && q + 5 < end && at(q + 5) + 7U == at(q);
+    }
+    return true;
+  }
+
  private:
   bool plain_text(std::size_t q) const {
     for (std::size_t i = q + 4; i + 1 < packet_end(q); ++i) {
@@ -186,8 +200,11 @@ class stretch {
       const sight::header header = seen_.documented_header(s_, seen_end);
       if (header == sight::header::impossible) {
         ++s_;
-      } else if (header == sight::header::possible || !seen_.complete(s_, seen_end)) {
+      } else if (header == sight::header::possible) {
         return found;  // waits for more bytes
+      } else if (!seen_.complete(s_, seen_end)) {
+        if (seen_.worth_waiting_for(s_, seen_end)) return found;
+        ++s_;
       } else if (!evidence(s_, seen_end, judged)) {
         ++s_;
       } else if (accepted_.contains(s_)) {

@@ -141,9 +141,9 @@ constexpr void for_variable(std::size_t index, auto&& f) noexcept { variable_mes
 constexpr bool may_be_documented(const std::uint8_t* p) noexcept {
     const auto head = load_le<std::uint32_t>(p);
     const std::size_t place = known.place_of(head, p);
-    const bool everyone_called = (head & 0x4000FF00) == everyone.octet << 8;
-    const bool varies = (p[3] & 0x30) == 0 && known.fixed_len[known.index_at(place)] == variable && known.index_at(place) != unknown;
-    return known.is_sized(place, p) || varies || everyone_called;
+    const bool everyone_called = (head & 0x7000FF00) == everyone.octet << 8 && p[2] < 0x70;
+    const bool varies = place >> 8 != 7 && (p[3] & 0x30) == 0 && known.variable_at[known.index_at(place)] != variable_messages::count;
+    return (known.is_sized(place, p) && p[0] != catalogue::not_sized) || varies || everyone_called;
 }
 
 /// Whether the message at `index` can have DATA of `size` bytes; `first` is its first byte, null while that has not come.

@@ -15,7 +15,7 @@ constexpr event decoder::slow_next(bytes_in& in) noexcept {
     release_ = 0;
     if (!hunting_ && !draining_ && !certain_ && phase_.settled())
         if (const auto whole = held() == 0 ? short_landmark(in) : joined_landmark(in); !whole.empty()) {
-            quick_from_ = readable;
+            quick_from_ = held() == release_ ? readable : never_quick;
             return deliver(whole, index_of(whole[1], whole[2], whole[3]));
         }
     quick_from_ = never_quick;

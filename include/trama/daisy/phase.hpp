@@ -57,8 +57,10 @@ private:
             const header h = judge_header(w, at_, std::min<std::size_t>(left, header_size + 1));
             if (h == header::unclear) return met;
             const std::size_t size = std::size_t{w[at_]} + 1;
-            if (h == header::documented && size > left) return met;
-            if (h != header::documented || !outranks(w, judged)) {
+            if (h == header::documented && size > left) {
+                if (may_come(w)) return met;
+                ++at_;
+            } else if (h != header::documented || !outranks(w, judged)) {
                 ++at_;
             } else if (is_boundary(w)) {
                 at_ = size_;  // an accepted packet: the phases agreed there
@@ -67,6 +69,12 @@ private:
                 at_ += size;
             }
         }
+    }
+    /// Whether to wait for the packet at the shadow's place, whose last byte has not come. Not if a short landmark lies
+    /// inside it: that would be found too late otherwise, and held against the packets that follow.
+    constexpr bool may_come(const window& w) const noexcept {
+        std::size_t probe = at_ + 1;
+        return !recovery::find_short_landmark(w, probe) || recovery::may_be_report(w, at_);
     }
     /// True when the whole packet at the shadow's place says more than the one that is judged.
     constexpr bool outranks(const window& w, standing judged) const noexcept {

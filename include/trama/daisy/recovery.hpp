@@ -98,8 +98,8 @@ struct finding {
     bool found = false;   ///< A packet to accept lies at `at`, whole.
 };
 
-/// What is to be said of the place `at`, where a documented header may begin: a finding there ends the search.
-/// `probe` remembers how far the inside of a long candidate has been searched.
+/// What is to be said of the place `at`, where a documented header may begin and no whole packet with a bad CRC: true
+/// ends the search there. `probe` remembers how far the inside of a long candidate has been searched.
 constexpr bool ends_hunt(const window& w, std::size_t at, std::size_t& probe, bool& found) noexcept {
     const std::size_t left = w.size() - at, size = std::size_t{w[at]} + 1;
     const header h = judge_header(w, at, std::min<std::size_t>(left, header_size + 1));
@@ -113,20 +113,20 @@ constexpr bool ends_hunt(const window& w, std::size_t at, std::size_t& probe, bo
 
 /// The leftmost acceptable packet of `w`, or the leftmost place where one may yet be when more bytes come.
 constexpr finding hunt(const window& w, std::size_t& probe) noexcept {
-    bool found = false;
+    bool ended = false, found = false;
     for (std::size_t at = 0; at < w.size(); ++at) {
         const auto run = w.run(at);
         rolling_xor sums(run);
-        bool ended = false;
-        at += find_candidate(run, 0, [&](std::size_t place) {
+        const auto wanted = [&](std::size_t place) {
             const std::size_t size = std::size_t{run[place]} + 1;
-            if (size <= run.size() - place && sums.over(place, size) != 0) return false;
+            const bool whole = size <= w.size() - at - place;
+            if (whole && (size <= run.size() - place ? sums.over(place, size) : w.xor_of(at + place, size)) != 0) return false;
             return ended = ends_hunt(w, at + place, probe, found);
-        });
+        };
+        const std::size_t place = find_candidate(run, 0, wanted);
+        if (!ended && place != run.size()) (void)wanted(place);  // of the last bytes in this piece nothing was said yet
+        at += place;
         if (ended) return {at, found};
-        // A few bytes before the end of this piece: byte by byte into the next one.
-        const std::size_t left = w.size() - at, size = left != 0 ? std::size_t{w[at]} + 1 : 0;
-        if (left != 0 && (size > left || w.xor_of(at, size) == 0) && ends_hunt(w, at, probe, found)) return {at, found};
     }
     return {w.size(), false};
 }
