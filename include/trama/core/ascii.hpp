@@ -49,18 +49,22 @@ constexpr bool few_printable_bytes(const std::uint8_t* p, std::size_t n) noexcep
 
 #if defined(__SSE2__)
 
-/// Printable bytes at the front of the `n` at `p`.
+/// Printable bytes at the front of the 16 at `p`.
+inline std::size_t printable_run_16(const std::uint8_t* p) noexcept {
+    __m128i x;
+    std::memcpy(&x, p, sizeof x);
+    const __m128i most = _mm_set1_epi8(0x5E);
+    x = _mm_sub_epi8(x, _mm_set1_epi8(0x20));
+    const auto good = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(x, most), most)));
+    return static_cast<std::size_t>(std::countr_one(good));
+}
+
+/// Printable bytes at the front of the `n` at `p`. The last vector overlaps the one before it.
 inline std::size_t printable_run_vector(const std::uint8_t* p, std::size_t n) noexcept {
-    const __m128i low = _mm_set1_epi8(0x20), most = _mm_set1_epi8(0x5E);
-    std::size_t i = 0;
-    for (; i + 16 <= n; i += 16) {
-        __m128i x;
-        std::memcpy(&x, p + i, sizeof x);
-        x = _mm_sub_epi8(x, low);
-        const auto good = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(x, most), most)));
-        if (good != 0xFFFF) return i + static_cast<std::size_t>(std::countr_one(good));
-    }
-    return i + printable_run_scalar(p + i, n - i);
+    if (n < 16) return printable_run_scalar(p, n);
+    for (std::size_t i = 0; i + 16 <= n; i += 16)
+        if (const std::size_t run = printable_run_16(p + i); run != 16) return i + run;
+    return n - 16 + printable_run_16(p + n - 16);
 }
 
 /// True when all `n` bytes at `p` are printable. One test at the end; the last vector overlaps the one before it.
