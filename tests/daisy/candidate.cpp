@@ -82,15 +82,15 @@ TEST(daisy_candidate, a_sized_header_is_documented_and_as_long_as_it_says) {
                     std::uint8_t p[16] = {static_cast<std::uint8_t>(len), static_cast<std::uint8_t>(destination), static_cast<std::uint8_t>(source),
                                           static_cast<std::uint8_t>(command), random.byte()};
                     const auto low = load_le<std::uint64_t>(p);
-                    const std::size_t place = known.place_of(static_cast<std::uint32_t>(low), p);
-                    if (!known.is_sized(place, p)) continue;
+                    const unsigned found = known.find(static_cast<std::uint32_t>(low), p);
+                    if (!known.is_sized(found, p)) continue;
                     if (len == catalogue::not_sized) {
                         ASSERT_NE(known.fold(low, p, len), 0);
                         continue;
                     }
                     ++sized;
                     ASSERT_EQ(judge_header(p, 0, 5), header::documented) << len << ", " << destination << ", " << source << ", " << command;
-                    ASSERT_EQ(known.index_at(place), index_of(destination, source, command));
+                    ASSERT_EQ(catalogue::index_in(found), index_of(destination, source, command));
                     ASSERT_LE(len, longest_fixed);
                     ASSERT_EQ(known.fold(low, p, len), xor_of_scalar(p, len + 1));
                 }

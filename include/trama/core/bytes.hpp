@@ -77,15 +77,18 @@ inline constexpr auto first_bytes = [] {
     return mask;
 }();
 
-/// Exclusive or of the first `n` bytes at `p`, up to `Most`, of as many readable ones. Without a branch on `n`.
-template <std::size_t Most = few_bytes>
-constexpr std::uint8_t xor_of_few(const std::uint8_t* p, std::size_t n) noexcept {
+/// A word whose bytes fold to the exclusive or of the first `n` bytes at `p`, up to `Most`, of as many readable ones.
+/// Without a branch on `n`.
+template <std::size_t Most>
+constexpr std::uint64_t word_of_few(const std::uint8_t* p, std::size_t n) noexcept {
     static_assert(Most <= few_bytes && Most % 8 == 0);
     const std::uint8_t* mask = first_bytes.data() + few_bytes - n;
     std::uint64_t word = 0;
     for (std::size_t i = 0; i != Most; i += 8) word ^= load_le<std::uint64_t>(p + i) & load_le<std::uint64_t>(mask + i);
-    return fold_xor(word);
+    return word;
 }
+/// Exclusive or of the first `n` bytes at `p`, up to `few_bytes`, of as many readable ones. Without a branch on `n`.
+constexpr std::uint8_t xor_of_few(const std::uint8_t* p, std::size_t n) noexcept { return fold_xor(word_of_few<few_bytes>(p, n)); }
 
 /// 16 bytes from place n on keep the last n of 16 bytes.
 inline constexpr auto last_bytes = [] {

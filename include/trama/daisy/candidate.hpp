@@ -73,7 +73,7 @@ public:
     constexpr std::uint8_t over(std::size_t at, std::size_t n) noexcept {
         const std::size_t end = at + n, near = std::min(end, end_), far = std::max(end, end_);
         const bool close = at - at_ <= step && far - near <= step && near + step <= run_.size();
-        if (close && at < end_) value_ = static_cast<std::uint8_t>(value_ ^ xor_of_few<step>(run_.data() + at_, at - at_) ^ xor_of_few<step>(run_.data() + near, far - near));
+        if (close && at < end_) value_ ^= fold_xor(word_of_few<step>(run_.data() + at_, at - at_) ^ word_of_few<step>(run_.data() + near, far - near));
         else value_ = xor_of(run_.subspan(at, n));
         at_ = at;
         end_ = end;

@@ -31,12 +31,13 @@ struct catalogue {
     std::array<daisy::key, unknown + 1> keys{};
     /// Row of `quick`, times 256, by the groups of a header and its response bit, as `pair_of` picks them out.
     std::array<std::uint16_t, 512> rows{};
-    /// By row and command: LARGO of a fixed message, or `not_sized`, and in the high byte 0. Of a list whose first byte
-    /// tells its length, LARGO of an empty one, and 0xFF. A row is a group, or 7 where the groups are not documented.
+    /// By row and command: the message's index times 512; `counted` if it is a list whose first byte tells its length; and
+    /// LARGO, of a list when it is empty, or `not_sized`. A row is a group, or 7 where the groups are not documented.
     std::array<std::uint16_t, 8 * 256> quick{};
+    static constexpr std::uint16_t counted = 0x100;
     static constexpr std::uint8_t not_sized = header_size - 1;  ///< A LARGO that no packet has.
-    /// What a list's first byte adds to LARGO; makes it `not_sized` if it becomes longer than `longest_fixed`.
-    std::array<std::uint8_t, 256> more{};
+    /// From `counted` on: what a list's first byte adds to LARGO, or what makes it `not_sized` if it gets too long.
+    std::array<std::uint8_t, 2 * counted> more{};
     /// By LARGO: what to keep of a packet's first and second eight bytes to fold all of them. Of a packet whose LARGO is
     /// `not_sized` only that is kept, so that it never folds to 0.
     std::array<std::uint64_t, longest_fixed + 1> first_half{}, second_half{};
@@ -62,7 +63,7 @@ struct catalogue {
         for (unsigned row = 0; row != 8; ++row)
             for (unsigned command = 0; command != 256; ++command) {
                 const unsigned found = (command & 0x30) == 0 && row != 7 ? index[slot(row, command)] : unknown;
-                quick[row << 8 | command] = static_cast<std::uint16_t>(sized_len(found));
+                quick[row << 8 | command] = static_cast<std::uint16_t>(found << 9 | sized_len(found));
             }
         for (auto& row : rows) row = 7 << 8;
         for (unsigned destination = 0; destination != 7; ++destination)
@@ -73,21 +74,20 @@ struct catalogue {
             }
         for (unsigned first = 0; first != 256; ++first) {
             const std::size_t size = list_size(static_cast<std::uint8_t>(first)), empty = list_size(0);
-            more[first] = static_cast<std::uint8_t>(size + header_size <= longest_fixed ? size - empty : not_sized - header_size - empty);
+            more[counted + first] = static_cast<std::uint8_t>(size + header_size <= longest_fixed ? size - empty : not_sized - header_size - empty);
         }
         for (std::size_t len = 0; len != first_half.size(); ++len) {
             const std::size_t kept = len == not_sized ? 1 : len + 1;
             for (std::size_t i = 0; i != kept; ++i) (i < 8 ? first_half : second_half)[len] |= std::uint64_t{0xFF} << (8 * (i % 8));
         }
     }
-    /// Place in `quick` of the header at `p`, whose four bytes are `head`, first one lowest.
-    constexpr std::size_t place_of(std::uint32_t head, const std::uint8_t* p) const noexcept { return std::size_t{rows[pair_of(head)]} + p[3]; }
-    /// Index in `messages` of a header by its place in `quick`, or `unknown`. The place must not be one of undocumented commands.
-    constexpr std::size_t index_at(std::size_t place) const noexcept { return index[(place >> 2 & 0x1F0) | (place & 15)]; }
-    /// True if five bytes tell the size of the message at `p`, whose place in `quick` is given, and LARGO is right.
-    constexpr bool is_sized(std::size_t place, const std::uint8_t* p) const noexcept {
-        const unsigned found = quick[place];
-        return static_cast<std::uint8_t>(found + more[(found >> 8) & p[header_size]]) == p[0];
+    /// What `quick` knows of the header at `p`, whose four bytes are `head`, first one lowest.
+    constexpr unsigned find(std::uint32_t head, const std::uint8_t* p) const noexcept { return quick[std::size_t{rows[pair_of(head)]} + p[3]]; }
+    /// Index in `messages`, or `unknown`.
+    static constexpr std::size_t index_in(unsigned found) noexcept { return found >> 9; }
+    /// True if five bytes tell the size of the message at `p`, of which `quick` knows `found`, and LARGO is right.
+    constexpr bool is_sized(unsigned found, const std::uint8_t* p) const noexcept {
+        return static_cast<std::uint8_t>(found + more[std::size_t{found & counted} + p[header_size]]) == p[0];
     }
     /// Exclusive or of a packet for which `is_sized` holds; not 0 if there is no such packet. 16 bytes at `p` are
     /// readable, of which `low` are the first 8.
@@ -112,7 +112,7 @@ struct catalogue {
     /// What `quick` says of a message.
     constexpr unsigned sized_len(std::size_t found) const noexcept {
         if (fixed_len[found] != variable) return fixed_len[found];
-        return found == unknown || carries_bytes[found] ? unsigned{not_sized} : 0xFF00 | (header_size + list_size(0));
+        return found == unknown || carries_bytes[found] ? unsigned{not_sized} : static_cast<unsigned>(counted | (header_size + list_size(0)));
     }
     /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
     static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
@@ -140,10 +140,10 @@ constexpr void for_variable(std::size_t index, auto&& f) noexcept { variable_mes
 /// False when the five bytes at `p` are no documented header. True when they may be one.
 constexpr bool may_be_documented(const std::uint8_t* p) noexcept {
     const auto head = load_le<std::uint32_t>(p);
-    const std::size_t place = known.place_of(head, p);
+    const unsigned found = known.find(head, p);
     const bool everyone_called = (head & 0x7000FF00) == everyone.octet << 8 && p[2] < 0x70;
-    const bool varies = place >> 8 != 7 && (p[3] & 0x30) == 0 && known.variable_at[known.index_at(place)] != variable_messages::count;
-    return (known.is_sized(place, p) && p[0] != catalogue::not_sized) || varies || everyone_called;
+    const bool varies = known.variable_at[catalogue::index_in(found)] != variable_messages::count;
+    return (known.is_sized(found, p) && p[0] != catalogue::not_sized) || varies || everyone_called;
 }
 
 /// Whether the message at `index` can have DATA of `size` bytes; `first` is its first byte, null while that has not come.

@@ -25,15 +25,15 @@ public:
     [[gnu::always_inline]] constexpr event next(std::span<const std::uint8_t>& in) noexcept {
         if (in.size() >= quick_from_) [[likely]] {
             const auto low = load_le<std::uint64_t>(in.data());
-            const std::size_t place = known.place_of(static_cast<std::uint32_t>(low), in.data());
+            const unsigned found = known.find(static_cast<std::uint32_t>(low), in.data());
             const std::size_t len = in[0];  // a load of its own: the next packet waits for this one only
             bool whole = false;
-            if (known.is_sized(place, in.data())) [[likely]] whole = known.fold(low, in.data(), len) == 0;
-            else whole = is_variable_landmark(in);
+            if (known.is_sized(found, in.data())) [[likely]] whole = known.fold(low, in.data(), len) == 0;
+            else whole = is_variable_landmark(in, catalogue::index_in(found));
             if (whole) [[likely]] {
                 const auto bytes = in.first(len + 1);
                 in = in.subspan(len + 1);
-                return deliver(bytes, known.index_at(place));
+                return deliver(bytes, catalogue::index_in(found));
             }
         }
         auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
@@ -80,9 +80,9 @@ private:
         return e;
     }
 
-    /// True when a landmark of variable length lies whole at the front of `in`.
-    [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in) noexcept {
-        const std::size_t size = std::size_t{in[0]} + 1, index = index_of(in[1], in[2], in[3]);
+    /// True when a landmark of variable length lies whole at the front of `in`, which is the message at `index`.
+    [[gnu::noinline]] static constexpr bool is_variable_landmark(std::span<const std::uint8_t> in, std::size_t index) noexcept {
+        const std::size_t size = std::size_t{in[0]} + 1;
         if (size < min_packet || size > in.size()) return false;
         if (!known.fits[known.variable_at[index]](size - min_packet, &in[header_size])) return false;
         const bool few = size <= few_bytes && in.size() >= header_size + few_bytes;

@@ -36,7 +36,7 @@ constexpr decoder::bytes_in decoder::short_landmark(bytes_in& in) noexcept {
     if (in.size() < min_packet) return {};
     const std::size_t size = std::size_t{in[0]} + 1;
     const auto head = load_le<std::uint32_t>(in.data());
-    if (!known.is_sized(known.place_of(head, in.data()), in.data()) || size < min_packet || size > in.size()) return {};
+    if (!known.is_sized(known.find(head, in.data()), in.data()) || size < min_packet || size > in.size()) return {};
     const auto whole = in.first(size);
     if (xor_of(whole) != 0) return {};
     in = in.subspan(size);
@@ -51,7 +51,7 @@ constexpr decoder::bytes_in decoder::joined_landmark(bytes_in& in) noexcept {
     if (had < readable) copy_bytes(stash_.data() + end_, in.data(), readable - had);
     const auto low = load_le<std::uint64_t>(front);
     const std::size_t size = (low & 0xFF) + 1;
-    if (!known.is_sized(known.place_of(static_cast<std::uint32_t>(low), front), front) || known.fold(low, front, low & 0xFF) != 0) return {};
+    if (!known.is_sized(known.find(static_cast<std::uint32_t>(low), front), front) || known.fold(low, front, low & 0xFF) != 0) return {};
     const std::size_t taken = size > had ? size - had : 0;
     end_ += taken;
     release_ = size;
