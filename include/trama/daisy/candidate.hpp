@@ -16,9 +16,11 @@ constexpr std::size_t find_candidate_scalar(const std::uint8_t* p, std::size_t n
 
 #if defined(__SSE2__)
 
+inline constexpr unsigned bits_per_place = 1;
+
 /// Bit i tells whether the header that begins at `p + i` has a group of boards or everyone as its destination, a group
 /// as its source, and a command with a place in the tables. 19 bytes are readable.
-inline std::uint32_t plausible_headers(const std::uint8_t* p) noexcept {
+inline std::uint64_t plausible_headers(const std::uint8_t* p) noexcept {
     const auto at = [](const std::uint8_t* q) {
         __m128i v;
         std::memcpy(&v, q, sizeof v);
@@ -30,15 +32,32 @@ inline std::uint32_t plausible_headers(const std::uint8_t* p) noexcept {
     const __m128i no_destination = _mm_andnot_si128(everyone_called, _mm_or_si128(destination, _mm_cmpgt_epi8(destination, last_group)));
     const __m128i no_source = _mm_or_si128(source, _mm_cmpgt_epi8(source, last_group));
     const __m128i no_command = _mm_cmpgt_epi8(_mm_and_si128(command, _mm_set1_epi8(0x30)), _mm_setzero_si128());
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_or_si128(_mm_or_si128(no_destination, no_source), no_command))) ^ 0xFFFF;
+    return static_cast<std::uint64_t>(_mm_movemask_epi8(_mm_or_si128(_mm_or_si128(no_destination, no_source), no_command))) ^ 0xFFFF;
 }
+
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+
+inline constexpr unsigned bits_per_place = 4;
+
+/// Bit 4 i tells what bit i does on other machines.
+inline std::uint64_t plausible_headers(const std::uint8_t* p) noexcept {
+    const uint8x16_t destination = vld1q_u8(p + 1), source = vld1q_u8(p + 2), command = vld1q_u8(p + 3), groups = vdupq_n_u8(0x70);
+    const uint8x16_t good_destination = vorrq_u8(vcltq_u8(destination, groups), vceqq_u8(destination, vdupq_n_u8(0xFF)));
+    const uint8x16_t good_command = vceqzq_u8(vandq_u8(command, vdupq_n_u8(0x30)));
+    const uint8x16_t good = vandq_u8(vandq_u8(good_destination, vcltq_u8(source, groups)), good_command);
+    return vget_lane_u64(vreinterpret_u64_u8(vshrn_n_u16(vreinterpretq_u16_u8(good), 4)), 0) & 0x1111111111111111;
+}
+
+#endif
+
+#if defined(__SSE2__) || (defined(__ARM_NEON) && defined(__aarch64__))
 
 /// As `find_candidate_scalar`.
 inline std::size_t find_candidate_vector(const std::uint8_t* p, std::size_t n, std::size_t from, auto&& wanted) noexcept {
     std::size_t i = from;
     for (; i + 20 <= n; i += 16)
-        for (std::uint32_t places = plausible_headers(p + i); places != 0; places &= places - 1) {
-            const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(places));
+        for (std::uint64_t places = plausible_headers(p + i); places != 0; places &= places - 1) {
+            const std::size_t place = i + static_cast<std::size_t>(std::countr_zero(places)) / bits_per_place;
             if (may_be_documented(p + place) && wanted(place)) return place;
         }
     return find_candidate_scalar(p, n, i, wanted);
