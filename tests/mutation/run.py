@@ -66,14 +66,16 @@ class Bench:
     def steps(self, path):
         """What looks for a fault in `path`, likely finders first: test programs, then fuzz targets. All of them for None."""
         names = self._names()
-        tests = sorted(n for n in set(names) if re.fullmatch(r"test_\w+", n))
+        tests = sorted(n for n in set(names) if re.fullmatch(r"(test|probe)_\w+", n))
         fuzz = sorted(n for n in set(names) if re.fullmatch(r"fuzz_(daisy|can|gateway)_\w+", n))
         module = path.split("/")[2] if path and path.startswith("include/trama/") and path.count("/") > 2 else None
         if module in ("daisy", "can", "gateway"):
             fuzz = [n for n in fuzz if n.startswith(f"fuzz_{module}_")]
-            others = {"test_daisy", "test_can", "test_gateway"} - {f"test_{module}"}
-            tests = [t for t in tests if t not in others]
-        first = {f"test_{module}": 0, "test_golden": 1, "test_core": 2 if module else 0, "test_laws": 4}
+            others = {"daisy", "can", "gateway"} - {module}
+            tests = [t for t in tests if t.split("_", 1)[1] not in others]
+        # The probes compile quickly and know a whole format; the goldens take longest to compile.
+        first = {"test_core": 2 if module else 0, f"test_{module}": 1, "test_laws": 4, "test_golden": 5}
+        first |= {t: 0 if module else 1 for t in tests if t.startswith("probe_")}
         ideas = {"differential": 0, "roundtrip": 1, "stream": 2, "recovery": 3, "reassembly": 3, "text": 4, "decode": 5}
         order = sorted(tests, key=lambda t: (first.get(t, 3), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
         return [n for n in order if any(fnmatch.fnmatchcase(n, p) for p in self.programs)]
@@ -125,7 +127,7 @@ class Bench:
         if status != 0:
             return "compile time" if _CHECKED.search(said) else "invalid"
         program = self.build / ("fuzz" if name.startswith("fuzz_") else "tests") / name
-        if name.startswith("test_"):
+        if name.startswith(("test_", "probe_")):
             return self._verdict([str(program), "--gtest_brief=1", "--gtest_fail_fast"], 600)
         target = name.removeprefix("fuzz_")
         seeds = self.tree / "fuzz" / "corpus" / target
