@@ -43,39 +43,9 @@ struct catalogue {
     std::array<std::uint64_t, longest_fixed + 1> first_half{}, second_half{};
 
     consteval catalogue() {
-        for (auto& i : index) i = unknown;
-        for (auto& len : fixed_len) len = variable;
-        for (auto& place : variable_at) place = variable_messages::count;
-        fits.back() = [](std::size_t, const std::uint8_t*) noexcept { return false; };
-        std::size_t at = 0;
-        std::uint8_t varying = 0;
-        messages::each([&]<class M>() {
-            keys[at] = M::key;
-            if constexpr (M::layout.fixed) fixed_len[at] = header_size + M::layout.size;
-            else fits[varying] = M::body_fits, variable_at[at] = varying++;
-            carries_bytes[at] = daisy::carries_bytes<M>;
-            texts[at] = is_text<M>;
-            for (unsigned group = 0; group != 8; ++group)
-                if (family_of(M::key) == family::common || family_of(M::key) == family_of(group)) index[slot(group, command_of(M::key))] = static_cast<std::uint8_t>(at);
-            ++at;
-        });
-        static_assert(unknown < 128);
-        for (unsigned row = 0; row != 8; ++row)
-            for (unsigned command = 0; command != 256; ++command) {
-                const unsigned found = (command & 0x30) == 0 && row != 7 ? index[slot(row, command)] : unknown;
-                quick[row << 8 | command] = static_cast<std::uint16_t>(found << 9 | sized_len(found));
-            }
-        for (auto& row : rows) row = 7 << 8;
-        for (unsigned destination = 0; destination != 7; ++destination)
-            for (unsigned source = 0; source != 7; ++source) {
-                const std::uint32_t request = destination << 12 | source << 20, response = request | std::uint32_t{response_bit} << 24;
-                rows[pair_of(request)] = static_cast<std::uint16_t>((destination != 0 ? destination : source) << 8);
-                rows[pair_of(response)] = static_cast<std::uint16_t>((source != 0 ? source : destination) << 8);
-            }
-        for (unsigned first = 0; first != 256; ++first) {
-            const std::size_t size = list_size(static_cast<std::uint8_t>(first)), empty = list_size(0);
-            more[counted + first] = static_cast<std::uint8_t>(size + header_size <= longest_fixed ? size - empty : not_sized - header_size - empty);
-        }
+        number_messages();
+        fill_rows();
+        fill_quick();
         for (std::size_t len = 0; len != first_half.size(); ++len) {
             const std::size_t kept = len == not_sized ? 1 : len + 1;
             for (std::size_t i = 0; i != kept; ++i) (i < 8 ? first_half : second_half)[len] |= std::uint64_t{0xFF} << (8 * (i % 8));
@@ -100,22 +70,67 @@ struct catalogue {
         constexpr std::uint64_t gather = std::uint64_t{1} << 48 | std::uint64_t{1} << 36 | std::uint64_t{1} << 24;
         return std::uint64_t{head & 0x80F0F000} * gather >> 55;
     }
-    /// Size of the DATA that each of the lists with this first byte has.
-    static constexpr std::size_t list_size(std::uint8_t first) noexcept {
-        std::size_t size = 0;
-        variable_messages::each([&]<class M>() {
-            if constexpr (!daisy::carries_bytes<M>)
-                for (size = 1; !M::body_fits(size, &first);) ++size;
+    /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
+    static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
+
+private:
+    consteval void number_messages() {
+        for (auto& i : index) i = unknown;
+        for (auto& len : fixed_len) len = variable;
+        for (auto& place : variable_at) place = variable_messages::count;
+        fits.back() = [](std::size_t, const std::uint8_t*) noexcept { return false; };
+        std::size_t at = 0;
+        std::uint8_t varying = 0;
+        messages::each([&]<class M>() {
+            keys[at] = M::key;
+            if constexpr (M::layout.fixed) fixed_len[at] = header_size + M::layout.size;
+            else fits[varying] = M::body_fits, variable_at[at] = varying++;
+            carries_bytes[at] = daisy::carries_bytes<M>;
+            texts[at] = is_text<M>;
+            for (unsigned group = 0; group != 8; ++group)
+                if (family_of(M::key) == family::common || family_of(M::key) == family_of(group)) index[slot(group, command_of(M::key))] = static_cast<std::uint8_t>(at);
+            ++at;
         });
+    }
+    consteval void fill_rows() {
+        for (auto& row : rows) row = 7 << 8;
+        for (unsigned destination = 0; destination != 7; ++destination)
+            for (unsigned source = 0; source != 7; ++source) {
+                const std::uint32_t request = destination << 12 | source << 20, response = request | std::uint32_t{response_bit} << 24;
+                rows[pair_of(request)] = static_cast<std::uint16_t>((destination != 0 ? destination : source) << 8);
+                rows[pair_of(response)] = static_cast<std::uint16_t>((source != 0 ? source : destination) << 8);
+            }
+    }
+    consteval void fill_quick() {
+        static_assert(unknown < 128);
+        for (unsigned row = 0; row != 8; ++row)
+            for (unsigned command = 0; command != 256; ++command) {
+                const unsigned found = (command & 0x30) == 0 && row != 7 ? index[slot(row, command)] : unknown;
+                quick[row << 8 | command] = static_cast<std::uint16_t>(found << 9 | sized_len(found));
+            }
+        for (unsigned first = 0; first != 256; ++first) {
+            const std::size_t size = list_size(static_cast<std::uint8_t>(first)), empty = list_size(0);
+            more[counted + first] = static_cast<std::uint8_t>(size + header_size <= longest_fixed ? size - empty : not_sized - header_size - empty);
+        }
+    }
+    /// Size of the DATA that each of the lists with this first byte has. Lists of other sizes would need tables of their own.
+    static consteval std::size_t list_size(std::uint8_t first) {
+        std::size_t size = 1;
+        while (!lists_fit(size, first)) ++size;
         return size;
     }
+    static consteval bool lists_fit(std::size_t size, std::uint8_t first) {
+        bool all = true;
+        variable_messages::each([&]<class M>() {
+            if constexpr (!daisy::carries_bytes<M>) all = all && M::body_fits(size, &first);
+        });
+        return all;
+    }
     /// What `quick` says of a message.
-    constexpr unsigned sized_len(std::size_t found) const noexcept {
+    consteval unsigned sized_len(std::size_t found) const {
         if (fixed_len[found] != variable) return fixed_len[found];
         return found == unknown || carries_bytes[found] ? unsigned{not_sized} : static_cast<unsigned>(counted | (header_size + list_size(0)));
     }
-    /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
-    static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
 };
 inline constexpr catalogue known{};
 
