@@ -40,7 +40,7 @@ private:
     static constexpr result<V> read(const std::uint8_t* p, field_ref at) noexcept {
         V v{};
         std::uint64_t bad = 0;
-        if constexpr (requires(typename W::value raw) { W::template load_near<Readable>(p, raw); }) {
+        if constexpr (requires { &W::template load_near<Readable>; }) {
             typename W::value raw{};
             bad = W::template load_near<Readable>(p, raw);
             v = static_cast<V>(raw);
