@@ -134,6 +134,21 @@ TEST(daisy_controller, reports_errors_of_boards_and_boards_that_are_not_there) {
     EXPECT_EQ(c.in_flight(), 0U);
 }
 
+TEST(daisy_controller, consumes_nothing_where_an_answer_would_not_fit) {
+    controller c = with_boards({0x11});
+    octets out(controller::max_output - 1);
+    std::span<const std::uint8_t> in(encoder_reply);
+    EXPECT_EQ(c.next(in, 0, out).news, controller_news::no_room);
+    EXPECT_EQ(in.size(), encoder_reply.size());
+}
+
+TEST(daisy_controller, lists_the_boards_that_answered) {
+    const controller c = with_boards({0x11, 0x12});
+    std::vector<unsigned> found;
+    for (const daisy::board_info& b : c.boards()) found.push_back(b.where.octet);
+    EXPECT_EQ(found, (std::vector<unsigned>{0x11, 0x12}));
+}
+
 TEST(daisy_controller, acknowledges_alarms_and_refuses_other_requests) {
     controller c = with_boards({0x62, 0x11});
     const octets alarm{0x06, 0x00, 0x62, 0x45, 0x6B, 0x03, 0x49};  // the document's example 2

@@ -286,6 +286,56 @@ TEST(gateway_client, matches_replies_by_type_and_number) {
     EXPECT_EQ(told(gateway::nack{0, 1, gateway::order_type::cancel_transits, 0, "no"}, 33).news, client_news::stray) << "twice";
 }
 
+TEST(gateway_client, hands_on_what_it_does_not_know_and_tells_what_is_broken) {
+    gateway::client<4> c(1000);
+    const auto told = [&](const octets& bytes) {
+        std::span<const std::uint8_t> in(bytes);
+        const auto e = c.next(in, 0);
+        EXPECT_TRUE(in.empty());
+        return e;
+    };
+    const auto framed = [](std::string_view payload) {
+        octets all{gateway::stx};
+        all.insert(all.end(), payload.begin(), payload.end());
+        all.push_back(gateway::etx);
+        return all;
+    };
+    const auto foreign = told(framed(" 77whatever"));
+    EXPECT_EQ(foreign.news, client_news::foreign);
+    EXPECT_EQ(foreign.packet.type(), 77);
+    const auto broken = told(framed("101    1    x 15    1"));
+    EXPECT_EQ(broken.news, client_news::fault);
+    EXPECT_EQ(broken.code, trama::errc::bad_number);
+    const auto noise = told(framed("101"));
+    EXPECT_EQ(noise.news, client_news::fault);
+    EXPECT_EQ(noise.code, trama::errc::bad_length);
+    EXPECT_EQ(noise.skipped, 5U);
+}
+
+TEST(gateway_cart, is_in_the_phase_that_its_current_order_is_in) {
+    using gateway::cart_phase, gateway::order_type, gateway::transit_phase;
+    struct row { order_type type; cart_phase going, there; };
+    constexpr row rows[] = {
+        {order_type::load, cart_phase::go_load, cart_phase::loading},
+        {order_type::transit, cart_phase::go_transit, cart_phase::transiting},
+        {order_type::unload, cart_phase::go_unload, cart_phase::unloading},
+        {order_type::go_parking, cart_phase::go_parking, cart_phase::go_parking},
+        {order_type::go_node, cart_phase::go_node, cart_phase::go_node},
+        {order_type::none, cart_phase::none, cart_phase::none},
+    };
+    for (const row& r : rows) {
+        gateway::transit_order o{};
+        o.type = r.type;
+        EXPECT_EQ(gateway::phase_of(o), cart_phase::none);
+        o.phase = transit_phase::go_transit;
+        EXPECT_EQ(gateway::phase_of(o), r.going);
+        o.phase = transit_phase::transiting;
+        EXPECT_EQ(gateway::phase_of(o), r.there);
+        o.phase = transit_phase::transit_done;
+        EXPECT_EQ(gateway::phase_of(o), cart_phase::transit_done);
+    }
+}
+
 TEST(gateway_client, gives_up_orders_without_reply_once_each_and_oldest_first) {
     gateway::client<2> c(100);
     octets out(gateway::max_record);
