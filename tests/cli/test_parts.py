@@ -57,6 +57,14 @@ class Parts(unittest.TestCase):
     def test_gateway(self):
         self.check("gateway", gateway_traffic(self.dice, 40000))
 
+    def test_many_megabytes_without_a_seam(self):
+        for protocol in ("daisy", "gateway"):
+            with open(self.path, "wb") as file:
+                file.write(bytes(40 << 20))
+            whole = trama("decode", protocol, self.path)
+            self.assertIn(b'"length":%d,"error":"noise"' % (40 << 20), whole.out)
+            self.assertEqual(trama("decode", protocol, "--jobs", "2", self.path), whole)
+
     def test_garbage_has_no_seams_and_still_comes_out_whole(self):
         self.check("daisy", self.dice.randbytes(600000) + daisy_traffic(self.dice, 9000))
 

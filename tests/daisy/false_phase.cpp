@@ -108,4 +108,18 @@ TEST(daisy_false_phase, what_a_refused_packet_holds_is_not_held_against_its_foll
     EXPECT_EQ(codes_of(ping + tunnel + latin_1 + ping * 60), expected);
 }
 
+/// While the shadow waits for a long packet that never comes whole, a text is accepted; then the shadow comes to the text.
+TEST(daisy_false_phase, a_packet_that_was_accepted_is_not_held_against_its_follower) {
+    bytes odd{9, 0x11, 0x00, 0x7a, 0x60, 0x00, 0x11, 0x81, 0x41};  // its data promise a text of 97 bytes
+    odd.push_back(xor_of(odd));
+    bytes text{44, 0x00, 0x11, 0x81};
+    while (text.size() != 44) text.push_back('x');
+    text.push_back(xor_of(text));
+    bytes longer{60, 0x11, 0x00, 0x7a};
+    while (longer.size() != 60) longer.push_back('U');
+    longer.push_back(xor_of(longer));
+    const std::vector<errc> expected{errc::ok, errc::unknown_message, errc::ok, errc::unknown_message, errc::ok};
+    EXPECT_EQ(codes_of(ping + odd + text + longer + ping), expected);
+}
+
 }  // namespace

@@ -56,6 +56,10 @@ void check(std::uint64_t seed, manners how) {
     std::array<typename F::unit, F::max_units> again{};
     ASSERT_TRUE(F::encode_unchecked(e.packet.envelope(), *back, again));
     EXPECT_EQ(again, wire) << "canonical bytes come back as they were";
+
+    const M blank{};
+    std::array<typename F::unit, F::max_units> without{};
+    if (F::encode_unchecked(envelope, blank, without)) { EXPECT_EQ(m == blank, without == wire) << "equal messages have equal bytes, others do not"; }
 }
 
 TYPED_TEST_P(round_trip, every_message_comes_back) {

@@ -21,8 +21,6 @@ public:
 
     /// Forgets the phase, as after a fault.
     constexpr void reset() noexcept { *this = {}; }
-    /// True while the shadow reads along; the decoder must then show every packet to `accepts`.
-    constexpr bool watching() const noexcept { return watching_; }
     /// True when another landmark changes nothing.
     constexpr bool settled() const noexcept { return !watching_ && vouched_; }
     /// A landmark was accepted while the shadow was not reading.
