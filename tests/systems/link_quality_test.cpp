@@ -65,3 +65,14 @@ TEST(link_quality, counts_both_ways_and_keeps_round_trips) {
     static_assert(q.goodput(40) == 9 && q.goodput(5000) == 0);
     EXPECT_EQ(q.goodput(500), 9U);
 }
+
+TEST(round_trips, know_the_least_the_most_and_the_mean) {
+    trama::round_trips t;
+    EXPECT_EQ(t.mean(), 0U) << "nothing was measured yet";
+    for (const std::uint64_t time : {30U, 10U, 20U, 41U}) t.add(time);
+    EXPECT_EQ(t.count, 4U);
+    EXPECT_EQ(t.least, 10U);
+    EXPECT_EQ(t.most, 41U);
+    EXPECT_EQ(t.last, 41U);
+    EXPECT_EQ(t.mean(), 25U);
+}

@@ -91,7 +91,6 @@ public:
         else if (e.code != errc::need_more) line.lost_step(e.length);
         return e;
     }
-    constexpr const trama::counters& counters() const noexcept { return decoder_.counters(); }
 
 private:
     std::uint64_t idle_;
