@@ -150,7 +150,7 @@ class Bench:
     def _run(self, command, seconds):
         """(status or None after too long, the end of what it said)."""
         with open(self.log, "wb") as log:
-            self.process = p = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, cwd=self.folder, start_new_session=True, preexec_fn=limits)
+            self.process = p = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, cwd=self.tree, start_new_session=True, preexec_fn=limits)
             try:
                 status = p.wait(seconds)
             except subprocess.TimeoutExpired:

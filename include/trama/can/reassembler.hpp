@@ -51,10 +51,9 @@ public:
             in = in.subspan(1);
             if (complete) return deliver({s.data.data(), 8 * seen + f.length}, f.id, index, s.offset);
         }
-        auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
-        event e = advance(rest);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
-        in = rest;
-        return e;
+        auto slow = advance(in);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
+        in = slow.rest;
+        return slow.event;
     }
     /// Time went on to `now`: `next` then reports the partial messages that are overdue.
     constexpr void tick(std::uint64_t now) noexcept { now_ = now; overdue_ = true; }
@@ -108,8 +107,13 @@ private:
         return found;
     }
 
+    [[gnu::noinline]] constexpr stepped<event, frame> advance(std::span<const frame> in) noexcept {
+        stepped<event, frame> slow{slow_next(in), {}};
+        slow.rest = in;
+        return slow;
+    }
     /// Everything but the frames that `next` deals with itself.
-    [[gnu::noinline]] constexpr event advance(std::span<const frame>& in) noexcept {
+    constexpr event slow_next(std::span<const frame>& in) noexcept {
         if (overdue_) {
             if (slot* late = find_overdue()) return interrupt(*late, draining_ ? errc::truncated : errc::timed_out);
             overdue_ = draining_ = false;

@@ -51,10 +51,8 @@ constexpr bool few_printable_bytes(const std::uint8_t* p, std::size_t n) noexcep
 
 /// Printable bytes at the front of the 16 at `p`.
 inline std::size_t printable_run_16(const std::uint8_t* p) noexcept {
-    __m128i x;
-    std::memcpy(&x, p, sizeof x);
     const __m128i most = _mm_set1_epi8(0x5E);
-    x = _mm_sub_epi8(x, _mm_set1_epi8(0x20));
+    const __m128i x = _mm_sub_epi8(load_vector(p), _mm_set1_epi8(0x20));
     const auto good = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(x, most), most)));
     return static_cast<std::size_t>(std::countr_one(good));
 }
@@ -71,13 +69,9 @@ inline std::size_t printable_run_vector(const std::uint8_t* p, std::size_t n) no
 inline bool all_printable_vector(const std::uint8_t* p, std::size_t n) noexcept {
     if (n < 16) return all_printable_scalar(p, n);
     const __m128i low = _mm_set1_epi8(0x20), most = _mm_set1_epi8(0x5E);
-    __m128i x, worst = _mm_setzero_si128();
-    for (std::size_t i = 0; i + 16 <= n; i += 16) {
-        std::memcpy(&x, p + i, sizeof x);
-        worst = _mm_max_epu8(worst, _mm_sub_epi8(x, low));
-    }
-    std::memcpy(&x, p + n - 16, sizeof x);
-    worst = _mm_max_epu8(worst, _mm_sub_epi8(x, low));
+    __m128i worst = _mm_setzero_si128();
+    for (std::size_t i = 0; i + 16 <= n; i += 16) worst = _mm_max_epu8(worst, _mm_sub_epi8(load_vector(p + i), low));
+    worst = _mm_max_epu8(worst, _mm_sub_epi8(load_vector(p + n - 16), low));
     return _mm_movemask_epi8(_mm_cmpeq_epi8(_mm_max_epu8(worst, most), most)) == 0xFFFF;
 }
 

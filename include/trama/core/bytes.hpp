@@ -99,20 +99,22 @@ inline constexpr auto last_bytes = [] {
 
 #if defined(__SSE2__)
 
+/// The 16 bytes at `p`.
+inline __m128i load_vector(const std::uint8_t* p) noexcept {
+    __m128i v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+
 /// Exclusive or of the `n` bytes at `p`, 16 or more. The last vector overlaps the one before it.
 inline std::uint8_t xor_of_vector(const std::uint8_t* p, std::size_t n) noexcept {
-    const auto at = [](const std::uint8_t* q) {
-        __m128i v;
-        std::memcpy(&v, q, sizeof v);
-        return v;
-    };
-    __m128i even = _mm_setzero_si128(), odd = _mm_and_si128(at(p + n - 16), at(last_bytes.data() + n % 16));
+    __m128i even = _mm_setzero_si128(), odd = _mm_and_si128(load_vector(p + n - 16), load_vector(last_bytes.data() + n % 16));
     std::size_t i = 0;
     for (; i + 32 <= n; i += 32) {
-        even = _mm_xor_si128(even, at(p + i));
-        odd = _mm_xor_si128(odd, at(p + i + 16));
+        even = _mm_xor_si128(even, load_vector(p + i));
+        odd = _mm_xor_si128(odd, load_vector(p + i + 16));
     }
-    if (i + 16 <= n) even = _mm_xor_si128(even, at(p + i));
+    if (i + 16 <= n) even = _mm_xor_si128(even, load_vector(p + i));
     std::uint64_t words[2];
     even = _mm_xor_si128(even, odd);
     std::memcpy(words, &even, sizeof words);

@@ -76,7 +76,7 @@ template <has_layout M>
 [[gnu::always_inline]] constexpr std::uint64_t load_mapped_fields(const std::uint8_t* p, M& m) noexcept {
     const column_map map = map_columns<M::layout.size, mapped_columns<M>>(p);
     std::uint64_t digits_only = 0, bad = 0, odd = 0;
-    each_index<M>([&]<std::size_t I>() __attribute__((always_inline)) {
+    each_index_inline<M>([&]<std::size_t I>() __attribute__((always_inline)) {
         using wire_type = wire_type_of<M, I>;
         constexpr std::size_t at = M::layout.offsets[I];
         auto& member = m.*field_of<M, I>.member;

@@ -36,8 +36,7 @@ constexpr column_map map_columns_scalar(const std::uint8_t* p) noexcept {
 
 /// Classifies 16 columns.
 inline column_map map_columns_vector(const std::uint8_t* p) noexcept {
-    __m128i x;
-    std::memcpy(&x, p, sizeof x);
+    const __m128i x = load_vector(p);
     const __m128i value = _mm_xor_si128(x, _mm_set1_epi8('0'));
     const __m128i digit = _mm_cmpeq_epi8(_mm_min_epu8(value, _mm_set1_epi8(9)), value);
     const __m128i known = _mm_or_si128(digit, _mm_cmpeq_epi8(x, _mm_set1_epi8(' ')));

@@ -59,6 +59,14 @@ struct basic_event {
     constexpr explicit operator bool() const noexcept { return code == errc::ok; }
 };
 
+/// What a decoder's slow path hands back. One object, larger than the event: handed out by reference, the input would live
+/// in memory on the quick path too, and clang would do the same to an event that the call writes in place.
+template <class Event, class Unit>
+struct stepped {
+    Event event;
+    std::span<const Unit> rest;  ///< What is left of the input.
+};
+
 /// What every wire format offers, so that harnesses, tools and property tests are written once.
 ///
 /// `unit` is what the medium delivers: a byte on a serial line or a socket, a frame on a CAN bus.

@@ -21,12 +21,7 @@ inline constexpr unsigned bits_per_place = 1;
 /// Bit i tells whether the header that begins at `p + i` has a group of boards or everyone as its destination, a group
 /// as its source, and a command with a place in the tables. 19 bytes are readable.
 inline std::uint64_t plausible_headers(const std::uint8_t* p) noexcept {
-    const auto at = [](const std::uint8_t* q) {
-        __m128i v;
-        std::memcpy(&v, q, sizeof v);
-        return v;
-    };
-    const __m128i destination = at(p + 1), source = at(p + 2), command = at(p + 3), last_group = _mm_set1_epi8(0x6F);
+    const __m128i destination = load_vector(p + 1), source = load_vector(p + 2), command = load_vector(p + 3), last_group = _mm_set1_epi8(0x6F);
     const __m128i everyone_called = _mm_cmpeq_epi8(destination, _mm_set1_epi8(-1));
     // Compared as signed numbers: 0x00..0x6F are those from 0 to 0x6F, and the top bit is looked at apart.
     const __m128i no_destination = _mm_andnot_si128(everyone_called, _mm_or_si128(destination, _mm_cmpgt_epi8(destination, last_group)));

@@ -36,10 +36,9 @@ public:
                 return deliver(bytes, catalogue::index_in(found));
             }
         }
-        auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
-        event e = advance(rest);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
-        in = rest;
-        return e;
+        auto slow = advance(in);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
+        in = slow.rest;
+        return slow.event;
     }
 
     /// The line fell silent: a partial packet is `truncated`, the next byte is a packet's first. Call `next` until it
@@ -101,7 +100,11 @@ private:
         return e;
     }
 
-    [[gnu::noinline]] constexpr event advance(bytes_in& in) noexcept { return slow_next(in); }
+    [[gnu::noinline]] constexpr stepped<event, std::uint8_t> advance(bytes_in in) noexcept {
+        stepped<event, std::uint8_t> slow{slow_next(in), {}};
+        slow.rest = in;
+        return slow;
+    }
     // decoder_recovery.hpp holds these.
     constexpr event slow_next(bytes_in& in) noexcept;
     static constexpr bytes_in short_landmark(bytes_in& in) noexcept;

@@ -28,10 +28,9 @@ public:
                 return deliver(whole, s.type, s.index);
             }
         }
-        auto rest = in;  // `in` itself must not escape, or it lives in memory and slows the loop above
-        event e = advance(rest);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
-        in = rest;
-        return e;
+        auto slow = advance(in);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
+        in = slow.rest;
+        return slow.event;
     }
 
     /// The input ends here: a partial record is `truncated`. Call `next` until it needs more.
@@ -64,8 +63,13 @@ private:
         return e;
     }
 
+    [[gnu::noinline]] constexpr stepped<event, std::uint8_t> advance(bytes_in in) noexcept {
+        stepped<event, std::uint8_t> slow{slow_next(in), {}};
+        slow.rest = in;
+        return slow;
+    }
     /// Everything but an intact record that lies whole in `in`.
-    [[gnu::noinline]] constexpr event advance(bytes_in& in) noexcept {
+    constexpr event slow_next(bytes_in& in) noexcept {
         if (draining_) {
             draining_ = false;
             return end(interrupted(), {});
