@@ -62,6 +62,7 @@ public:
             const auto e = client_.next(rest, now());
             if (e.news == gateway::client_news::need_more) return;
             heard(e);
+            if (!connected()) rest = {};  // an answer found the connection dead: what came over it tells nothing about the next one
         }
     }
 

@@ -18,7 +18,7 @@ import threading
 import time
 import unittest
 
-from soak_support import PROGRAM, decoded
+from soak_support import PROGRAM, decoded, encoded
 
 SIM = os.environ["SIM"]
 LOAD = b"\x02  1%5d    1    3    0 0                              \x03"
@@ -174,6 +174,37 @@ class Gateway(unittest.TestCase):
             self.assertRegex(output, r", [1-9]\d* of them in doubt")
             self.assertEqual(sim.accepted(), {f"c{i}": 1 for i in range(1, 151)})
             self.assertEqual(sim.end()[0], 0)
+
+    def test_what_is_left_of_a_broken_connection_tells_nothing_about_the_next(self):
+        unused = {"use": "unused", "type": "none", "node": 0, "station_id": 0, "station_type": 0, "level": 0, "options": "", "transit_id": "",
+                  "cargo_id": "", "phase": "none", "inputs": "", "outputs": "", "last_command": ""}
+
+        def state(first, cross):
+            return encoded("gateway", {"message": "cart_state", "fields": {
+                "msg_id": 0, "cart_id": 1, "cart_status": ["ready"], "cart_phase": "none", "ini_node": 1, "rel_position": 0, "end_node": 2,
+                "next_node": 3, "speed_mms": 0, "cross_confirmation_needed": cross, "orders": [first, unused]}})
+
+        before = state(unused, 0)
+        after = state({**unused, "use": "current", "type": "load", "cargo_id": "c1", "phase": "go_transit"}, 0)
+        listener = socket.create_server(("127.0.0.1", 0))
+        client = subprocess.Popen([PROGRAM, "--port", str(listener.getsockname()[1]), "--orders", "1", "--carts", "1", "--quiet", "--seconds", "60"],
+                                  stdout=subprocess.PIPE, text=True)
+        with listener:
+            with listener.accept()[0] as first:
+                first.sendall(before)
+                self.assertIn(b"c1", receive(first, 56))
+                # The order is accepted, but its reply is lost with the connection. States from before it are under way: the client
+                # answers the first one, which shows that the line is dead, and holds the second one.
+                client.send_signal(signal.SIGSTOP)
+                first.sendall(state(unused, 1) + before)
+                first.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            client.send_signal(signal.SIGCONT)
+            with listener.accept()[0] as second:
+                self.assertEqual(receive(second, 1, 1.0), b"", "the order came twice")
+                second.sendall(after)
+                output, _ = client.communicate(timeout=60)
+        self.assertEqual(client.returncode, 0, output)
+        self.assertIn("1 of 1 orders delivered, 1 of them in doubt", output)
 
     def test_captures_hold_what_came_and_went(self):
         with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--record", folder, "--quiet") as sim:

@@ -41,3 +41,11 @@ def decoded(protocol, path):
     assert done.returncode in (0, 1), done.stderr
     events = [json.loads(line) for line in done.stdout.splitlines()]
     return [e for e in events if "message" in e], [e for e in events if "error" in e]
+
+
+def encoded(protocol, *messages):
+    """The octets of messages."""
+    lines = "".join(json.dumps(m) + "\n" for m in messages)
+    done = subprocess.run([TRAMA, "encode", protocol], input=lines.encode(), capture_output=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
