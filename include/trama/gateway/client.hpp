@@ -66,7 +66,8 @@ public:
         return size;
     }
 
-    /// The connection is gone: `next` reports a partial record, then every order in flight as `in_doubt`.
+    /// The connection is gone: `next` reports a partial record, then every order in flight as `in_doubt`. Give it no more
+    /// bytes of that connection: it would take a state from before the loss for one that the next connection brought.
     constexpr void disconnected() noexcept {
         decoder_.finish();
         lost_ = true;
