@@ -1,5 +1,6 @@
 """The mutation campaign from start to table."""
 import argparse
+import fcntl
 import fnmatch
 import json
 import os
@@ -104,6 +105,12 @@ def main(arguments=None):
             return 2
     o.work = o.work.resolve()
     o.work.mkdir(parents=True, exist_ok=True)
+    lock = open(o.work / "lock", "w")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        print(f"mutants: another campaign is at work in {o.work}", file=sys.stderr)
+        return 2
     results, reasons = Results(o.work / "results.json"), explained()
     todo = queue.Queue()
     for f in all_chosen:

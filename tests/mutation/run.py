@@ -1,5 +1,7 @@
 """Builds one fault in a copy of the tree and looks what notices it."""
 import fnmatch
+import hashlib
+import json
 import os
 import re
 import resource
@@ -40,18 +42,42 @@ class Bench:
         self.fuzz_seconds, self.thorough, self.stopped = fuzz_seconds, thorough, stopped
         self.log = folder / "log"
         self.checked = set()
+        self._closures = {}
+        self.seconds = {}  # that each test program takes without a fault
         self.process = None
 
     # Preparing
 
-    def prepare(self, say):
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self.tree.mkdir(parents=True)
+    def _sources(self):
         for name in _COPIED:
-            if (self.root / name).is_dir():
-                shutil.copytree(self.root / name, self.tree / name, symlinks=True)
-            elif (self.root / name).is_file():
-                shutil.copy2(self.root / name, self.tree / name)
+            top = self.root / name
+            for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
+                if path.is_file() and path.suffix != ".pyc" and "mutation" not in path.parts:
+                    yield path, self.tree / path.relative_to(self.root)
+
+    def _copy(self):
+        for path, copy in self._sources():
+            if not copy.is_file() or copy.read_bytes() != path.read_bytes():
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(path, copy)
+
+    def _digest(self):
+        """What the copy is made from, and by which programs it is checked."""
+        digest = hashlib.sha256(repr((self.programs, sorted(self._BUILDS.items()))).encode())
+        for path, copy in self._sources():
+            digest.update(str(copy.relative_to(self.tree)).encode() + b"\0" + path.read_bytes())
+        return digest.hexdigest()
+
+    def prepare(self, say):
+        mark, digest = self.folder / "prepared.json", self._digest()
+        before = json.loads(mark.read_text()) if mark.is_file() else {}
+        if before.get("digest") == digest:
+            self.seconds = before["seconds"]
+            self._copy()  # an interrupted campaign goes on with what it has built; a fault may still be in the tree
+            self._restore()
+            return
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self._copy()
         clang = os.environ.get("CXX_FUZZ", "clang++")
         for part, settings in self._BUILDS.items():
             self._must(["cmake", "-S", str(self.tree), "-B", str(self.build / part), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
@@ -61,6 +87,7 @@ class Bench:
                 say(f"without a fault: {step}")
                 self._check(step)
         shutil.copytree(self.build, self.pristine, symlinks=True)
+        mark.write_text(json.dumps({"digest": digest, "seconds": self.seconds}))
 
     def _check(self, step):
         """What notices a fault must not fail without one."""
@@ -85,19 +112,49 @@ class Bench:
     def steps(self, path):
         """What looks for a fault in `path`, likely finders first: test programs, then fuzz targets. All of them for None."""
         names = self._names()
-        tests = sorted(n for n in set(names) if re.fullmatch(r"(test|probe)_\w+", n))
+        tests = sorted(n for n in set(names) if re.fullmatch(r"(test|probe)_\w+", n)) + ["cli"]
         fuzz = sorted(n for n in set(names) if re.fullmatch(r"fuzz_(daisy|can|gateway)_\w+", n))
         module = path.split("/")[2] if path and path.startswith("include/trama/") and path.count("/") > 2 else None
         if module in ("daisy", "can", "gateway"):
             fuzz = [n for n in fuzz if n.startswith(f"fuzz_{module}_")]
             others = {"daisy", "can", "gateway"} - {module}
-            tests = [t for t in tests if t.split("_", 1)[1] not in others]
+            tests = [t for t in tests if t.partition("_")[2] not in others]
         # The probes compile quickly and know a whole format; the goldens take longest to compile.
-        first = {"test_core": 2 if module else 0, f"test_{module}": 1, "test_laws": 4, "test_golden": 5}
-        first |= {t: 0 if module else 1 for t in tests if t.startswith("probe_")}
+        first = {"probe_can": 0, "probe_gateway": 1, "probe_daisy": 2, "test_core": 3 if module in ("daisy", "can", "gateway") else 1}
+        first |= {f"test_{module}": 2, "test_laws": 5, "cli": 6, "test_golden": 7}
         ideas = {"differential": 0, "roundtrip": 1, "stream": 2, "recovery": 3, "reassembly": 3, "text": 4, "decode": 5}
-        order = sorted(tests, key=lambda t: (first.get(t, 3), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
-        return [n for n in order if any(fnmatch.fnmatchcase(n, p) for p in self.programs)]
+        order = sorted(tests, key=lambda t: (first.get(t, 4), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
+        chosen = [n for n in order if any(fnmatch.fnmatchcase(n, p) for p in self.programs)]
+        return [n for n in chosen if not path or path.endswith(".cpp") or self.tree / path in self._sources_of(n)]
+
+    def _sources_of(self, name):
+        """All files of the tree that a program is compiled from; only they can be noticed by it."""
+        if name not in self._closures:
+            kind, _, rest = name.partition("_")
+            if kind == "test":
+                files = list((self.tree / "tests" / rest).rglob("*.cpp"))
+            elif kind == "cli":
+                files = list((self.tree / "src" / "tool").glob("*.cpp"))
+            elif kind == "probe":
+                files = [self.tree / "tests" / "laws" / f"{law}_{rest}.cpp" for law in ("reference", "round_trip")]
+            else:
+                files = [self.tree / "fuzz" / "targets" / f"{rest}.cpp", self.tree / "fuzz" / "mutators" / f"{rest.split('_')[0]}.cpp"]
+            self._closures[name] = self._closure(files)
+        return self._closures[name]
+
+    def _closure(self, files):
+        found, left = set(), list(files)
+        while left:
+            file = left.pop()
+            if file in found or not file.is_file():
+                continue
+            found.add(file)
+            if file.suffix == ".hpp" and file.parent == self.tree / "src" / "tool":
+                left.extend(file.parent.glob("*.cpp"))
+            for included in re.findall(r'#include "([^"]+)"', file.read_text()):
+                places = (file.parent, *(self.tree / top for top in ("include", "tests", "fuzz", "src", ".")))
+                left.extend((place / included).resolve() for place in places if (place / included).is_file())
+        return found
 
     # One fault
 
@@ -146,12 +203,20 @@ class Bench:
     def _step(self, name):
         """Builds and runs one program: how it noticed something is wrong, "invalid", or nothing."""
         part = "fuzz" if name.startswith("fuzz_") else "tests"
-        status, said = self._run(["cmake", "--build", str(self.build / part), "--target", name, "--", "-j1"], 1800)
+        targets = ("trama_tool", "reference_lines") if name == "cli" else (name,)
+        status, said = self._run(["cmake", "--build", str(self.build / part), "--target", *targets, "--", "-j1"], 1800)
         if status != 0:
             return "compile time" if _CHECKED.search(said) else "invalid"
         program = self.build / part / part / name
-        if name.startswith(("test_", "probe_")):
-            return self._verdict([str(program), "--gtest_brief=1", "--gtest_fail_fast"], 600)
+        if part == "tests":
+            command = [str(program), "--gtest_brief=1", "--gtest_fail_fast"]
+            if name == "cli":  # without those that look at pipes, terminals and large files, which take long
+                command = ["ctest", "-E", "pipes|corners", "--test-dir", str(self.build / part), "-R", r"^cli\.", "--no-tests=error", "--stop-on-failure"]
+            started = time.monotonic()
+            hangs = 60 + 4 * self.seconds.get(name, 600)
+            verdict = self._verdict(command, hangs)
+            self.seconds.setdefault(name, time.monotonic() - started)
+            return verdict
         target = name.removeprefix("fuzz_")
         seeds = self.tree / "fuzz" / "corpus" / target
         seeds = seeds if seeds.is_dir() else self.tree / "fuzz" / "corpus" / target.split("_")[0]
