@@ -28,6 +28,7 @@ def options(arguments=None):
     p.add_argument("--fuzz-time", type=float, default=60.0, metavar="SECONDS", help="fuzzing for each fault that the tests miss, all targets together (default 60)")
     p.add_argument("--programs", default="*", metavar="PATTERNS", help="which programs look for them, such as 'test_can,fuzz_can_*' (default all that apply)")
     p.add_argument("--thorough", action="store_true", help="go on after the first program that notices, to see which others do")
+    p.add_argument("--again", action="store_true", help="judge those once more that survived and are not explained, by other programs or since tests were added")
     p.add_argument("--work", type=Path, default=ROOT / "build" / "mutants", metavar="DIR", help="where copies and results go (default build/mutants)")
     p.add_argument("--list", action="store_true", help="print the faults and end")
     return p.parse_args(arguments)
@@ -114,7 +115,8 @@ def main(arguments=None):
     results, reasons = Results(o.work / "results.json"), explained()
     todo = queue.Queue()
     for f in all_chosen:
-        if f.ident not in results.known:
+        known = results.known.get(f.ident)
+        if known is None or (o.again and known["verdict"] == "survived" and f.ident not in reasons):
             todo.put(f)
     print(f"{len(all_chosen)} faults, {len(all_chosen) - todo.qsize()} known from before", flush=True)
     stop = threading.Event()
