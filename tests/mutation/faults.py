@@ -57,10 +57,26 @@ class Fault:
 
 
 def blanked(text):
-    """The text with comments, strings and idle lines replaced by as many blanks, so that places stay the same."""
+    """The text with comments, strings, idle lines and other machines' code replaced by as many blanks, so that places stay the same."""
     text = _LITERAL.sub(lambda m: re.sub(r"[^\n]", " ", m.group(0)), text)
-    lines = text.split("\n")
-    return "\n".join(" " * len(line) if _IDLE.match(line) else line for line in lines)
+    lines = []
+    for line, foreign in zip(text.split("\n"), _foreign(text), strict=True):
+        lines.append(" " * len(line) if foreign or _IDLE.match(line) else line)
+    return "\n".join(lines)
+
+
+def _foreign(text):
+    """For each line, whether it stands behind `#else` of vector code: this machine does not compile it."""
+    open_blocks = []  # of each #if: [does it choose among vector extensions, is this another machine's branch]
+    for line in text.split("\n"):
+        directive = line.split()[0] if line.startswith("#") else ""
+        if directive in ("#if", "#ifdef", "#ifndef"):
+            open_blocks.append(["__SSE2__" in line, False])
+        elif directive in ("#else", "#elif"):
+            open_blocks[-1][1] = open_blocks[-1][0]
+        elif directive == "#endif":
+            open_blocks.pop()
+        yield any(foreign for _, foreign in open_blocks)
 
 
 def faults_in(path, text):

@@ -28,6 +28,10 @@ class deriving(unittest.TestCase):
         for fault in faults.faults_in("x.hpp", SAMPLE):
             self.assertIn(fault.line, (3, 4, 5), fault.title)
 
+    def test_leaves_other_machines_code_alone(self):
+        text = "#if defined(__SSE2__)\nint a = b + c;\n#elif defined(__ARM_NEON)\nint a = b - c;\n#else\nint a = 3;\n#endif\nint d = 4 * b;\n"
+        self.assertEqual({f.line for f in faults.faults_in("x.hpp", text)}, {2, 8})
+
     def test_a_fault_changes_one_place(self):
         for fault in faults.faults_in("x.hpp", SAMPLE):
             changed = fault.applied_to(SAMPLE)
