@@ -51,6 +51,58 @@ TYPED_TEST_P(reference, says_the_same_of_any_stream) {
         }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(reference, says_the_same_of_any_stream);
+/// Both ends of what the document allows, of what the wire carries, and what lies just outside; of a set of names or values all.
+template <class W, class V>
+std::vector<std::int64_t> ends_of(const rule& r) {
+    std::vector<std::int64_t> ends;
+    if constexpr (std::is_enum_v<V> || std::integral<V>) {
+        const bool few = W::high - W::low <= 65535 && (enumerated<V> || r.set != 0);
+        if (few) for (std::int64_t v = W::low; v <= std::min<std::int64_t>(W::high, 300); ++v) ends.push_back(v);
+        for (const std::int64_t end : {r.low, r.high, r.also, std::int64_t{W::low}, std::int64_t{W::high}})
+            for (const std::int64_t v : {end == std::numeric_limits<std::int64_t>::min() ? end : end - 1, end, end == std::numeric_limits<std::int64_t>::max() ? end : end + 1})
+                if (v >= W::low && v <= W::high && W::carries(v)) ends.push_back(v);
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    }
+    return ends;
+}
+
+TYPED_TEST_P(reference, agrees_about_the_ends_of_every_range) {
+    using F = TypeParam;
+    rng random(11);
+    std::size_t compared = 0;
+    F::messages::each([&]<class M>() {
+        memory views;
+        const M clean = random_message<M>(random, manners::valid, views);
+        const auto envelope = subject<F>::template random_envelope<M>(random, manners::valid);
+        std::vector<std::vector<std::int64_t>> ends;
+        each_leaf(clean, [&]<class W>(field_ref at, const auto& v, const rule& own) {
+            ends.push_back(ends_of<W, std::remove_cvref_t<decltype(v)>>(rule_in_context(clean, at, own)));
+        });
+        for (std::size_t leaf = 0; leaf != ends.size(); ++leaf)
+            for (const std::int64_t value : ends[leaf]) {
+                M m = clean;
+                std::size_t i = 0;
+                each_leaf(m, [&]<class W>(field_ref, auto& v, const rule&) {
+                    using kind = std::remove_cvref_t<decltype(v)>;
+                    if constexpr (std::is_enum_v<kind> || std::integral<kind>)
+                        if (i == leaf) v = static_cast<kind>(value);
+                    ++i;
+                });
+                std::array<typename F::unit, F::max_units> out{};
+                const auto size = F::encode_unchecked(envelope, m, out);
+                if (!size) continue;  // a count that the rest of the message does not have
+                const auto units = std::span<const typename F::unit>(out).first(*size);
+                std::vector<std::string> lines;
+                if constexpr (requires { units[0].time; }) lines = ticked_lines<F>(units);
+                else lines = lines_of<F>(std::vector(units.begin(), units.end()), cut::whole, 1, {});
+                EXPECT_EQ(first_difference(lines, subject<F>::reference_lines(units, {})), "") << M::name << ", " << show<F>(units);
+                ++compared;
+            }
+    });
+    EXPECT_GT(compared, 50U);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(reference, says_the_same_of_any_stream, agrees_about_the_ends_of_every_range);
 
 }  // namespace trama::test

@@ -120,7 +120,7 @@ class Bench:
             others = {"daisy", "can", "gateway"} - {module}
             tests = [t for t in tests if t.partition("_")[2] not in others]
         # The probes compile quickly and know a whole format; the goldens take longest to compile.
-        first = {"probe_gateway": 0, "probe_can": 1, "probe_daisy": 2, "test_core": 3 if module in ("daisy", "can", "gateway") else 1}
+        first = {"probe_gateway": 0, "probe_can": 1, "probe_daisy": 2, "test_core": 3}
         first |= {f"test_{module}": 2, "test_laws": 5, "cli": 6, "test_golden": 7}
         ideas = {"differential": 0, "roundtrip": 1, "stream": 2, "recovery": 3, "reassembly": 3, "text": 4, "decode": 5}
         order = sorted(tests, key=lambda t: (first.get(t, 4), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
