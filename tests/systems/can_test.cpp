@@ -236,6 +236,20 @@ TEST(can_sensor_node, gives_up_a_partial_message_that_is_too_old) {
     EXPECT_EQ(tell(n, d, {f(0x81, {2, 4, 'R'}, 102)}, 102).news, sensor_node_news::executed);
 }
 
+TEST(can_sensor_node, counts_what_came_and_went) {
+    node n(2, can::master_1, all_four);
+    device d;
+    tell(n, d, {f(0x81, {2, 1, 'R'}), f(0x81, {1, 4, 'R'})}, 500);  // answered by two frames; another node's
+    tell(n, d, {f(0x81, {2, 7})}, 700);                             // no message
+    EXPECT_EQ(n.quality().packets_received, 2U);
+    EXPECT_EQ(n.quality().bytes_received, 2U) << "frames";
+    EXPECT_EQ(n.quality().goodput(700), 2U);
+    EXPECT_EQ(n.quality().packets_sent, 2U);
+    EXPECT_EQ(n.quality().bytes_sent, 2U);
+    EXPECT_EQ(n.quality().resynchronisations, 1U);
+    EXPECT_EQ(n.quality().bytes_skipped, 1U);
+}
+
 TEST(can_master, sends_one_request_at_a_time_and_takes_the_echo_for_the_reply) {
     can::master<> m(can::master_1);
     ASSERT_TRUE(m.request(can::set_actuator{1, 0, 0, 1}));
