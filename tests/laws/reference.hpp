@@ -103,6 +103,18 @@ TYPED_TEST_P(reference, agrees_about_the_ends_of_every_range) {
     EXPECT_GT(compared, 50U);
 }
 
-REGISTER_TYPED_TEST_SUITE_P(reference, says_the_same_of_any_stream, agrees_about_the_ends_of_every_range);
+TYPED_TEST_P(reference, a_fresh_message_is_blank) {
+    TypeParam::messages::each([&]<class M>() {
+        const M m{};
+        each_leaf(m, [&]<class W>(field_ref at, const auto& v, const rule&) {
+            const std::string name = std::string(M::name) + '.' + text_of([&](text_sink& out) { print_path<M>(out, at); });
+            if constexpr (requires { v.columns; }) { EXPECT_EQ(std::string(v.view()), "") << name; }
+            else if constexpr (requires { v.bytes(); }) { EXPECT_TRUE(v.empty()) << name; }
+            else { EXPECT_EQ(as_number(v), 0) << name; }
+        });
+    });
+}
+
+REGISTER_TYPED_TEST_SUITE_P(reference, says_the_same_of_any_stream, agrees_about_the_ends_of_every_range, a_fresh_message_is_blank);
 
 }  // namespace trama::test

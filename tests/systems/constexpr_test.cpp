@@ -94,3 +94,24 @@ TEST(systems, do_at_run_time_what_they_do_at_compile_time) {
     EXPECT_TRUE(light_a_lamp());
     EXPECT_TRUE(order_a_load());
 }
+
+TEST(fresh_events, tell_of_nothing) {
+    const auto plain = [](const auto& e) { return e.skipped == 0 && e.code == trama::errc::ok && e.packet.body().empty(); };
+    const daisy::node_event board{};
+    EXPECT_TRUE(plain(board) && board.written == 0 && board.news == daisy::node_news::need_more);
+    const daisy::controller_event main{};
+    EXPECT_TRUE(plain(main) && main.written == 0 && main.news == daisy::controller_news::need_more && main.command == 0 && main.attempt == 0 && !main.again);
+    const can::master_event master{};
+    EXPECT_TRUE(plain(master) && master.news == can::master_news::need_more && master.node == 0 && master.message_id == 0 && master.letter == 0 && master.attempt == 0 && !master.wrong);
+    const can::sensor_node_event sensors{};
+    EXPECT_TRUE(plain(sensors) && sensors.news == can::sensor_node_news::need_more);
+    const gateway::server_event server{};
+    EXPECT_TRUE(plain(server) && server.news == gateway::server_news::need_more && server.msg_id == 0 && server.cart_id == 0 && server.written == 0 && server.reason.empty());
+    const gateway::client_event client{};
+    EXPECT_TRUE(plain(client) && client.news == gateway::client_news::need_more && client.order == gateway::order_in_flight{});
+    EXPECT_EQ(client.order.msg_id + client.order.cart_id + client.order.sent, 0U);
+    const can::frame frame{};
+    EXPECT_TRUE(frame.id == 0 && frame.time == 0 && frame.length == 0 && frame.classic());
+    const auto silent = [](const auto& e) { return e.code == trama::errc::need_more && e.offset == 0 && e.length == 0 && e.bytes.empty() && e.packet.body().empty(); };
+    EXPECT_TRUE(silent(daisy::event{}) && silent(can::event{}) && silent(gateway::event{}));
+}
