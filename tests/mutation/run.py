@@ -213,7 +213,7 @@ class Bench:
             if name == "cli":  # without those that look at pipes, terminals and large files, which take long
                 command = ["ctest", "-E", "pipes|corners", "--test-dir", str(self.build / part), "-R", r"^cli\.", "--no-tests=error", "--stop-on-failure"]
             started = time.monotonic()
-            hangs = 60 + 4 * self.seconds.get(name, 600)
+            hangs = 20 + 5 * self.seconds.get(name, 600)
             verdict = self._verdict(command, hangs)
             self.seconds.setdefault(name, time.monotonic() - started)
             return verdict
