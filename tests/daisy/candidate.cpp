@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "laws/rng.hpp"
 
 namespace trama::daisy {
@@ -81,9 +84,10 @@ TEST(daisy_candidate, a_sized_header_is_documented_and_as_long_as_it_says) {
                 for (unsigned command = 0; command != 256; ++command) {
                     std::uint8_t p[16] = {static_cast<std::uint8_t>(len), static_cast<std::uint8_t>(destination), static_cast<std::uint8_t>(source),
                                           static_cast<std::uint8_t>(command), random.byte()};
-                    const auto low = load_le<std::uint64_t>(p);
-                    const unsigned found = known.find(static_cast<std::uint32_t>(low), p);
+                    const unsigned found = known.find(load_le<std::uint32_t>(p), p);
                     if (!known.is_sized(found, p)) continue;
+                    std::generate(p + header_size + 1, std::end(p), [&] { return random.byte(); });
+                    const auto low = load_le<std::uint64_t>(p);
                     if (len == catalogue::not_sized) {
                         ASSERT_NE(known.fold(low, p, len), 0);
                         continue;

@@ -175,6 +175,37 @@ TEST(daisy_controller, passes_on_only_what_a_known_board_sends_and_that_once) {
     EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x13, 0x03}), 0).event.news, controller_news::removed) << "a call that nobody stops";
 }
 
+TEST(daisy_controller, passes_on_and_refuses_what_the_document_lacks) {
+    controller c = with_boards({0x11});
+    const octets for_another = with_crc({5, 0x12, 0x11, 0x4E, 7});
+    const auto [passed, copy] = tell(c, for_another);
+    EXPECT_EQ(passed.news, controller_news::passed_on);
+    EXPECT_EQ(copy, for_another);
+    const auto [refused, error] = tell(c, with_crc({4, 0x00, 0x11, 0x0E}));
+    EXPECT_EQ(refused.news, controller_news::refusal);
+    EXPECT_EQ(error, with_crc({5, 0x11, 0x00, 0x04, 0x01}));
+}
+
+TEST(daisy_controller, answers_a_bad_crc_by_error_0_with_the_packet_as_received_and_the_crc_expected) {
+    controller c = with_boards({0x11});
+    ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 0);
+    octets in = encoder_reply;
+    in.back() = 0x00;
+    octets data{15, 0x11, 0x00, 0x04, 0x00};
+    data.insert(data.end(), in.begin(), in.end());
+    data.push_back(encoder_reply.back());
+    in.insert(in.end(), encoder_reply.begin(), encoder_reply.end());
+    std::span<const std::uint8_t> rest(in);
+    octets out(controller::max_output);
+    const auto fault = c.next(rest, 1, out);
+    EXPECT_EQ(fault.news, controller_news::fault);
+    EXPECT_EQ(fault.code, trama::errc::bad_checksum);
+    EXPECT_EQ(fault.skipped, encoder_reply.size());
+    out.resize(fault.written);
+    EXPECT_EQ(out, with_crc(data));
+    EXPECT_EQ(tell(c, rest, 2).event.news, controller_news::reply) << "the packet behind the damage";
+}
+
 TEST(daisy_ring, collects_every_board_by_one_call) {
     ring::ring r(five);
     r.call();
