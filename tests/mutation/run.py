@@ -94,6 +94,8 @@ class Bench:
         if step in self.checked:
             return
         verdict = self._step(step)
+        if self.stopped():
+            return
         if verdict:
             raise Broken(f"{step} already fails without a fault ({verdict}); see {self.log}")
         self.checked.add(step)
