@@ -51,15 +51,16 @@ TYPED_TEST_P(reference, says_the_same_of_any_stream) {
         }
 }
 
-/// Both ends of what the document allows, of what the wire carries, and what lies just outside; of a set of names or values all.
+/// What the document allows at its ends, what the wire carries at its own, what has a name, and what lies just outside of each.
 template <class W, class V>
 std::vector<std::int64_t> ends_of(const rule& r) {
     std::vector<std::int64_t> ends;
     if constexpr (std::is_enum_v<V> || std::integral<V>) {
-        const bool few = W::high - W::low <= 65535 && (enumerated<V> || r.set != 0);
-        if (few) for (std::int64_t v = W::low; v <= std::min<std::int64_t>(W::high, 300); ++v) ends.push_back(v);
-        for (const std::int64_t end : {r.low, r.high, r.also, std::int64_t{W::low}, std::int64_t{W::high}})
-            for (const std::int64_t v : {end == std::numeric_limits<std::int64_t>::min() ? end : end - 1, end, end == std::numeric_limits<std::int64_t>::max() ? end : end + 1})
+        std::vector<std::int64_t> marks{r.low, r.high, r.also, W::low, W::high};
+        if (r.set != 0) for (std::int64_t v = 0; v != 64; ++v) marks.push_back(v);
+        if constexpr (enumerated<V>) for (const auto& named : names(V{})) marks.push_back(static_cast<std::int64_t>(named.value));
+        for (const std::int64_t mark : marks)
+            for (std::int64_t v = std::max<std::int64_t>(mark, W::low) - 1; v <= std::min<std::int64_t>(mark, W::high) + 1; ++v)
                 if (v >= W::low && v <= W::high && W::carries(v)) ends.push_back(v);
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end()), ends.end());

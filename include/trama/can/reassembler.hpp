@@ -107,11 +107,7 @@ private:
         return found;
     }
 
-    [[gnu::noinline]] constexpr stepped<event, frame> advance(std::span<const frame> in) noexcept {
-        stepped<event, frame> slow{slow_next(in), {}};
-        slow.rest = in;
-        return slow;
-    }
+    [[gnu::noinline]] constexpr stepped<event, frame> advance(std::span<const frame> in) noexcept { return {in, [this](auto& rest) { return slow_next(rest); }}; }
     /// Everything but the frames that `next` deals with itself.
     constexpr event slow_next(std::span<const frame>& in) noexcept {
         if (overdue_) {

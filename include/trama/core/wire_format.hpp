@@ -65,6 +65,9 @@ template <class Event, class Unit>
 struct stepped {
     Event event;
     std::span<const Unit> rest;  ///< What is left of the input.
+
+    /// `step` takes units from the front of the span that it gets and reports one event.
+    constexpr stepped(std::span<const Unit> in, auto&& step) noexcept : event(step(in)), rest(in) {}
 };
 
 /// What every wire format offers, so that harnesses, tools and property tests are written once.

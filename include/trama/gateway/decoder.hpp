@@ -63,11 +63,7 @@ private:
         return e;
     }
 
-    [[gnu::noinline]] constexpr stepped<event, std::uint8_t> advance(bytes_in in) noexcept {
-        stepped<event, std::uint8_t> slow{slow_next(in), {}};
-        slow.rest = in;
-        return slow;
-    }
+    [[gnu::noinline]] constexpr stepped<event, std::uint8_t> advance(bytes_in in) noexcept { return {in, [this](auto& rest) { return slow_next(rest); }}; }
     /// Everything but an intact record that lies whole in `in`.
     constexpr event slow_next(bytes_in& in) noexcept {
         if (draining_) {
