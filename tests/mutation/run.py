@@ -41,9 +41,8 @@ class Bench:
         self.programs = [p.strip() for p in programs.split(",")]
         self.fuzz_seconds, self.thorough, self.stopped = fuzz_seconds, thorough, stopped
         self.log = folder / "log"
-        self.checked = set()
         self._closures = {}
-        self.seconds = {}  # that each test program takes without a fault
+        self.seconds = {}  # that each program runs without a fault; those in it are known to pass
         self.process = None
 
     # Preparing
@@ -71,34 +70,37 @@ class Bench:
     def prepare(self, say):
         mark, digest = self.folder / "prepared.json", self._digest()
         before = json.loads(mark.read_text()) if mark.is_file() else {}
-        if before.get("digest") == digest:
+        if before.get("digest") == digest:  # an interrupted campaign goes on with what it has built
             self.seconds = before["seconds"]
-            self._copy()  # an interrupted campaign goes on with what it has built; a fault may still be in the tree
+            self._copy()  # a fault may still be in the tree
             self._restore()
-            return
-        shutil.rmtree(self.folder, ignore_errors=True)
-        self._copy()
+        else:
+            shutil.rmtree(self.folder, ignore_errors=True)
+            self._copy()
+            self._configure()
+        for step in self.steps(None):
+            if not step.startswith("fuzz_") and step not in self.seconds:
+                say(f"without a fault: {step}")
+                self._check(step)
+        shutil.copytree(self.build, self.pristine, symlinks=True, dirs_exist_ok=True)
+        mark.write_text(json.dumps({"digest": digest, "seconds": self.seconds}))
+
+    def _configure(self):
         clang = os.environ.get("CXX_FUZZ", "clang++")
         for part, settings in self._BUILDS.items():
             self._must(["cmake", "-S", str(self.tree), "-B", str(self.build / part), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
                         f"-DCMAKE_CXX_COMPILER={clang}", *settings], "configuring")
-        for step in self.steps(None):
-            if not step.startswith("fuzz_"):
-                say(f"without a fault: {step}")
-                self._check(step)
-        shutil.copytree(self.build, self.pristine, symlinks=True)
-        mark.write_text(json.dumps({"digest": digest, "seconds": self.seconds}))
 
     def _check(self, step):
         """What notices a fault must not fail without one."""
-        if step in self.checked:
+        if step in self.seconds or self.stopped():
             return
         verdict = self._step(step)
         if self.stopped():
             return
         if verdict:
             raise Broken(f"{step} already fails without a fault ({verdict}); see {self.log}")
-        self.checked.add(step)
+        self.seconds[step] = self._took
 
     def _must(self, command, what):
         if self._run(command, 1800)[0] != 0:
@@ -201,6 +203,7 @@ class Bench:
                 shutil.copy2(path, there)
 
     _fuzz_share = 1.0
+    _took = 0.0
 
     def _step(self, name):
         """Builds and runs one program: how it noticed something is wrong, "invalid", or nothing."""
@@ -214,11 +217,7 @@ class Bench:
             command = [str(program), "--gtest_brief=1", "--gtest_fail_fast"]
             if name == "cli":  # without those that look at pipes, terminals and large files, which take long
                 command = ["ctest", "-E", "pipes|corners", "--test-dir", str(self.build / part), "-R", r"^cli\.", "--no-tests=error", "--stop-on-failure"]
-            started = time.monotonic()
-            hangs = 20 + 5 * self.seconds.get(name, 600)
-            verdict = self._verdict(command, hangs)
-            self.seconds.setdefault(name, time.monotonic() - started)
-            return verdict
+            return self._verdict(command, 20 + 5 * self.seconds.get(name, 600))
         target = name.removeprefix("fuzz_")
         seeds = self.tree / "fuzz" / "corpus" / target
         seeds = seeds if seeds.is_dir() else self.tree / "fuzz" / "corpus" / target.split("_")[0]
@@ -241,12 +240,14 @@ class Bench:
         """(status or None after too long, the end of what it said)."""
         with open(self.log, "wb") as log:
             self.process = p = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, cwd=self.tree, start_new_session=True, preexec_fn=limits)
+            started = time.monotonic()
             try:
                 status = p.wait(seconds)
             except subprocess.TimeoutExpired:
                 os.killpg(p.pid, signal.SIGKILL)
                 p.wait()
                 status = None
+            self._took = time.monotonic() - started
         text = Path(self.log).read_bytes()
         return status, text[:400000].decode(errors="replace")
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from mutation import faults, main  # noqa: E402
+from mutation import faults, main, run  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SAMPLE = '''#pragma once
@@ -54,6 +54,18 @@ class sampling(unittest.TestCase):
 
     def test_explanations_are_of_faults_that_exist(self):
         self.assertLessEqual(set(main.explained()), {f.ident for f in faults.all_faults(ROOT)})
+
+
+class choosing(unittest.TestCase):
+    def test_a_program_can_notice_only_what_it_is_compiled_from(self):
+        bench = run.Bench(ROOT, ROOT / "build", "*", 60, False, lambda: False)
+        bench.tree = ROOT
+        library = ROOT / "include" / "trama"
+        for name, seen, unseen in (("probe_can", "can/reassembler.hpp", "can/sensor_node.hpp"), ("test_systems", "can/sensor_node.hpp", "daisy/footing.hpp"),
+                                   ("cli", "daisy/footing.hpp", "can/sensor_node.hpp"), ("fuzz_daisy_text", "daisy/footing.hpp", "can/sensor_node.hpp"),
+                                   ("fuzz_gateway_stream", "gateway/decoder.hpp", "gateway/client.hpp")):
+            self.assertIn(library / seen, bench._sources_of(name), name)
+            self.assertNotIn(library / unseen, bench._sources_of(name), name)
 
 
 if __name__ == "__main__":

@@ -189,6 +189,8 @@ class Gateway(unittest.TestCase):
         listener = socket.create_server(("127.0.0.1", 0))
         client = subprocess.Popen([PROGRAM, "--port", str(listener.getsockname()[1]), "--orders", "1", "--carts", "1", "--quiet", "--seconds", "60"],
                                   stdout=subprocess.PIPE, text=True)
+        for clean_up in (client.stdout.close, client.wait, client.kill):  # the last one first
+            self.addCleanup(clean_up)
         with listener:
             with listener.accept()[0] as first:
                 first.sendall(before)
