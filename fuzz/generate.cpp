@@ -66,7 +66,7 @@ void add_seeds(files& all) {
             dice d(++seed);
             arena memory;
             M m = random_message<M>(d, memory);
-            while (!traits<F>::evident(m)) m = random_message<M>(d, memory);
+            while (!traits<F>::evident(typename F::envelope{}, m)) m = random_message<M>(d, memory);
             if (strange && M::layout.count != 0) change_one_value(m, d, memory);
             else if (strange) continue;
             std::array<typename F::unit, F::max_units> wire{};

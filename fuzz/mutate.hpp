@@ -48,9 +48,10 @@ sample<F> random_sample(dice& d) {
         F::messages::at(d.below(F::messages::count), [&]<class M>() {
             arena memory;
             const M m = random_message<M>(d, memory);
-            if (!traits<F>::evident(m)) return;
+            const auto e = traits<F>::template envelope_for<M>(d);
+            if (!traits<F>::evident(e, m)) return;
             std::array<typename F::unit, F::max_units> wire{};
-            const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
+            const auto size = F::encode(e, m, wire);
             require(bool(size), "a valid message encodes");
             s.units.assign(wire.begin(), wire.begin() + static_cast<std::ptrdiff_t>(*size));
             s.body.resize(body_size(m));

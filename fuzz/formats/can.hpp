@@ -79,7 +79,7 @@ struct traits<can::format> {
     template <class M>
     static can::envelope envelope_for(dice& d, bool = false) { return {0x80U + static_cast<std::uint32_t>(d.below(3))}; }
     template <class M>
-    static bool evident(const M&) { return true; }
+    static bool evident(const can::envelope&, const M&) { return true; }
 };
 
 }  // namespace trama::fuzz

@@ -35,9 +35,11 @@ struct traits<daisy::format> : octet_traits {
         if (strange && d.one_in(2)) e.source.octet |= 0x0F;
         return e;
     }
-    /// Whether the packet tells a decoder by itself that it is in step; texts and rejected packets may be noise that looks like one.
+    /// Whether the packet tells a decoder by itself that it is in step; texts, rejected packets and packets from groups
+    /// that the document does not know may be noise that looks like one.
     template <class M>
-    static bool evident(const M& m) {
+    static bool evident(const daisy::envelope& e, const M& m) {
+        if (e.source.group() > 6 || (e.destination.group() > 6 && e.destination != daisy::everyone)) return false;
         if constexpr (requires { m.evident(); }) return m.evident();
         else return true;
     }

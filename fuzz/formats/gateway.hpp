@@ -15,7 +15,7 @@ struct traits<gateway::format> : octet_traits {
     template <class M>
     static gateway::envelope envelope_for(dice&, bool = false) { return {}; }
     template <class M>
-    static bool evident(const M&) { return true; }
+    static bool evident(const gateway::envelope&, const M&) { return true; }
     static bool could_be_packet(std::span<const std::uint8_t>) { return false; }
 };
 

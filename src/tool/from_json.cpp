@@ -40,6 +40,15 @@ std::optional<std::int64_t> shifted_number(std::string_view text, int shift) {
 
 }  // namespace
 
+bool as_bytes(std::string_view text, std::vector<std::uint8_t>& out) {
+    for (std::size_t i = 0; i != text.size(); ++i) {
+        const auto c = static_cast<std::uint8_t>(text[i]);
+        if (c > 0xC3) return false;
+        out.push_back(c < 0x80 ? c : static_cast<std::uint8_t>(c << 6 | (static_cast<std::uint8_t>(text[++i]) & 0x3F)));
+    }
+    return true;
+}
+
 std::optional<std::int64_t> whole_number(const json_value& v) {
     return v.type == json_value::kind::number ? shifted_number(v.text, 0) : std::nullopt;
 }
@@ -94,15 +103,15 @@ bool message_reader::read_name(const json_value& v, std::span<const std::string_
 
 bool message_reader::check_text(const json_value& v, std::size_t columns) {
     if (v.type != json_value::kind::string) return fail("a string is needed");
-    if (v.text.size() > columns) return fail("at most " + std::to_string(columns) + " characters fit");
     const bool printable = std::all_of(v.text.begin(), v.text.end(), [](char c) { return c >= 0x20 && c <= 0x7E; });
-    return (printable && !v.wide) || fail("only printable ASCII is possible");
+    if (!printable) return fail("only printable ASCII is possible");
+    return v.text.size() <= columns || fail("at most " + std::to_string(columns) + " characters fit");
 }
 
 bool message_reader::read_bytes(const json_value& v, wire::print printed, byte_view& out) {
     if (v.type != json_value::kind::string) return fail("a string is needed");
-    if (v.wide) return fail("a character does not fit a byte");
-    std::vector<std::uint8_t>& kept = bytes_.emplace_back(v.text.begin(), v.text.end());
+    std::vector<std::uint8_t>& kept = bytes_.emplace_back();
+    if (!as_bytes(v.text, kept)) return fail("a character does not fit a byte");
     if (printed == wire::print::hex && !from_hex(kept)) return fail("pairs of hex digits are needed");
     out = byte_view(std::span<const std::uint8_t>{kept});
     return true;

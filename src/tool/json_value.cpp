@@ -1,5 +1,7 @@
 #include "tool/json_value.hpp"
 
+#include <cstdint>
+
 #include "tool/hex.hpp"
 
 namespace trama::tool {
@@ -49,7 +51,7 @@ private:
         switch (peek()) {
             case '{': return object(v, depth);
             case '[': return array(v, depth);
-            case '"': v.type = json_value::kind::string; return string(v.text, v.wide);
+            case '"': v.type = json_value::kind::string; return string(v.text);
             case 't': return word("true", v, json_value::kind::boolean);
             case 'f': return word("false", v, json_value::kind::boolean);
             case 'n': return word("null", v, json_value::kind::null);
@@ -63,9 +65,8 @@ private:
         do {
             space();
             json_value::member member;
-            bool wide = false;
             if (peek() != '"') return fail("a name in quotes is missing");
-            if (!string(member.name, wide)) return false;
+            if (!string(member.name)) return false;
             if (v.find(member.name) != nullptr) return fail(member.name + ": it stands twice");
             if (!take(':')) return fail("a colon is missing");
             if (!value(member.value, depth + 1)) return false;
@@ -105,11 +106,25 @@ private:
         return true;
     }
 
-    void put(unsigned long code, std::string& out, bool& wide) {
-        wide = wide || code > 0xFF;
-        out += static_cast<char>(static_cast<unsigned char>(code & 0xFF));
+    static void put(std::uint32_t code, std::string& out) {
+        const auto byte = [&](std::uint32_t value) { out += static_cast<char>(static_cast<unsigned char>(value)); };
+        if (code < 0x80) return byte(code);
+        const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+        byte((0xF0U << (3 - more) & 0xF0) | code >> (6 * more));
+        for (int i = more - 1; i >= 0; --i) byte(0x80 | (code >> (6 * i) & 0x3F));
     }
-    bool escape(std::string& out, bool& wide) {
+    /// Four hex digits.
+    bool unit(std::uint32_t& out) {
+        if (text_.size() - at_ < 4) return false;
+        out = 0;
+        for (int i = 0; i != 4; ++i) {
+            const int digit = hex_value(text_[at_++]);
+            if (digit < 0) return false;
+            out = out << 4 | static_cast<unsigned>(digit);
+        }
+        return true;
+    }
+    bool escape(std::string& out) {
         const char c = peek();
         ++at_;
         constexpr std::string_view names = "\"\\/bfnrt", values = "\"\\/\b\f\n\r\t";
@@ -117,43 +132,45 @@ private:
             out += values[i];
             return true;
         }
-        if (c != 'u' || text_.size() - at_ < 4) return fail("no such escape");
-        unsigned long code = 0;
-        for (int i = 0; i != 4; ++i) {
-            const int digit = hex_value(peek());
-            if (digit < 0) return fail("\\u needs four hex digits");
-            code = code << 4 | static_cast<unsigned>(digit);
-            ++at_;
+        if (c != 'u') return fail("no such escape");
+        std::uint32_t code = 0, low = 0;
+        if (!unit(code)) return fail("\\u needs four hex digits");
+        if (const std::size_t behind = at_; code >> 10 == 0x36 && text_.substr(at_, 2) == "\\u") {
+            at_ += 2;
+            if (unit(low) && low >> 10 == 0x37) code = 0x10000 + ((code & 0x3FF) << 10) + (low & 0x3FF);
+            else at_ = behind;
         }
-        put(code, out, wide);
+        put(code, out);
         return true;
     }
-    /// A character of more than one byte in UTF-8.
-    bool multibyte(unsigned char lead, std::string& out, bool& wide) {
+    /// A character of more than one byte in UTF-8. [RFC 3629]
+    bool multibyte(unsigned char lead, std::string& out) {
         const int more = lead >= 0xF0 && lead <= 0xF4 ? 3 : lead >= 0xE0 && lead < 0xF0 ? 2 : lead >= 0xC2 && lead < 0xE0 ? 1 : 0;
         if (more == 0) return fail("no UTF-8");
-        unsigned long code = lead & (0x3FU >> more);
+        std::uint32_t code = lead & (0x3FU >> more);
         for (int i = 0; i != more; ++i, ++at_) {
             const auto c = static_cast<unsigned char>(peek());
             if ((c & 0xC0) != 0x80) return fail("no UTF-8");
             code = code << 6 | (c & 0x3FU);
         }
-        put(code, out, wide);
+        const bool overlong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
+        if (overlong || code >> 11 == 0x1B || code > 0x10FFFF) return fail("no UTF-8");
+        put(code, out);
         return true;
     }
-    bool string(std::string& out, bool& wide) {
+    bool string(std::string& out) {
         ++at_;
         for (;;) {
             if (at_ == text_.size()) return fail("the string has no end");
             const auto c = static_cast<unsigned char>(text_[at_++]);
             if (c == '"') return true;
             if (c == '\\') {
-                if (!escape(out, wide)) return false;
+                if (!escape(out)) return false;
             } else if (c < 0x20) {
                 return fail("a control character in a string");
             } else if (c < 0x80) {
                 out += static_cast<char>(c);
-            } else if (!multibyte(c, out, wide)) {
+            } else if (!multibyte(c, out)) {
                 return false;
             }
         }

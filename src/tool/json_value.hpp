@@ -11,8 +11,7 @@ struct json_value {
     enum class kind { null, boolean, number, string, array, object };
 
     kind type = kind::null;
-    std::string text;   ///< Of a number its literal; of a string its characters, each as one byte.
-    bool wide = false;  ///< The string holds a character beyond U+00FF, which no byte can be.
+    std::string text;  ///< Of a number its literal; of a string its characters in UTF-8 (half a surrogate pair in three bytes).
     std::vector<json_value> items;
     struct member;
     std::vector<member> members;
@@ -21,7 +20,7 @@ struct json_value {
     const json_value* find(std::string_view name) const;
 };
 struct json_value::member {
-    std::string name;
+    std::string name;  ///< In UTF-8.
     json_value value;
 };
 

@@ -87,6 +87,9 @@ class Describe(ToolCase):
         self.assertEqual(self.row(text, "start")[1], "4 + 3")
         self.assertEqual(self.row(text, "end")[1], "4 + 3")
         self.assertIn("0..200", self.row(text, "message_id"))
+        # Of an interval month and day are not 0 either, which the meaning says.
+        for name, allowed in (("month", "0..12"), ("day", "0..31"), ("hour", "0..23"), ("minute", "0..59")):
+            self.assertIn(allowed, self.row(text, name))
 
     def test_unknown_ones(self):
         for words in (("modbus",), ("daisy", "fly"), ("can", "load"), ("gateway", "cart"), ("daisy", ""), ("",)):

@@ -51,6 +51,40 @@ class Messages(ToolCase):
                '"message" : "dc_motor.set_direction" } '
         self.assertEqual(self.encode("daisy", line)[0], octets("05 11 00 40 01 55"))
 
+    def test_a_missing_kind_is_a_request(self):
+        self.assertEqual(self.encode("daisy", '{"destination":16,"source":0,"message":"common.ping"}')[0], octets("04 10 00 03 17"))
+
+    def test_what_is_ignored_may_hold_any_character(self):
+        for ignored in ('{"\\u800d":1}', '"\\ud823"', '"\\ud83d\\ude00"', '"\U0001f600"', '{"\\u0161":1,"a":2}', '{"\\u00c4\\u0080":1,"\\u0100":2}'):
+            with self.subTest(ignored):
+                self.assertEqual(self.encode("daisy", '{"destination":16,"source":0,"message":"common.ping","violations":' + ignored + "}")[0],
+                                 octets("04 10 00 03 17"))
+
+    def test_a_name_with_another_character_is_another_name(self):
+        # U+0170 and U+0173 end in the octets of "p" and "s".
+        for line, told in (('{"destination":16,"source":0,"message":"common.\\u0170ing"}', "common.\u0170ing"),
+                           ('{"destination":16,"\\u0173ource":0,"message":"common.ping"}', "\u0173ource"),
+                           ('{"destination":16,"source":0,"message":"common.ping","kind":"reque\\u0173t"}', "kind"),
+                           ('{"destination":16,"source":0,"message":"common.ping","\\u0170rotocol":"daisy"}', "\u0170rotocol"),
+                           ('{"destination":17,"source":0,"message":"dc_motor.set_direction","fields":{"direction":"clockwi\\u0173e"}}', "clockwi\u0173e"),
+                           ('{"destination":17,"source":0,"message":"dc_motor.set_direction","fields":{"direction\\u0100":1}}', "direction\u0100")):
+            with self.subTest(told):
+                run = trama("encode", "daisy", given=line.encode())
+                self.assertEqual((run.status, run.out), (1, b""))
+                self.assertIn(told, run.err)
+
+    def test_one_name_in_two_spellings_stands_twice(self):
+        run = trama("encode", "daisy", given='{"destination":16,"source":0,"message":"common.ping","violations":{"\U0001f600":1,"\\ud83d\\ude00":2}}'.encode())
+        self.assertEqual((run.status, run.out), (1, b""))
+        self.assertIn("stands twice", run.err)
+
+    def test_broken_utf_8(self):
+        for broken in (b"\xc0\x80", b"\xe0\x9f\xbf", b"\xed\xa0\x80", b"\xf0\x8f\xbf\xbf", b"\xf4\x90\x80\x80", b"\xf5\x80\x80\x80", b"\x80", b"\xc3", b"\xe2\x82"):
+            with self.subTest(broken):
+                run = trama("encode", "daisy", given=b'{"destination":16,"source":0,"message":"common.ping","violations":"' + broken + b'"}')
+                self.assertEqual((run.status, run.out), (1, b""))
+                self.assertIn("UTF-8", run.err)
+
     def test_last_line_without_its_end(self):
         run = trama("encode", "gateway", given=b'{"message":"idle_processing","fields":{"msg_id":12}}')
         self.assertEqual((run.status, run.out), (0, record(" 50   12")))

@@ -7,7 +7,7 @@ namespace trama_reference {
 
 namespace {
 
-constexpr int deepest = 32;
+constexpr int deepest = 16;
 
 class parser {
  public:
@@ -46,7 +46,7 @@ class parser {
     if (peek() == '[') return list(depth);
     if (peek() == '"') {
       result.type = json_value::kind::string;
-      result.bytes = string_bytes();
+      result.characters = characters();
     } else if (take("true") || take("false")) {
       result.type = json_value::kind::boolean;
     } else if (!take("null")) {
@@ -64,10 +64,9 @@ class parser {
     if (take("}")) return result;
     do {
       skip_space();
-      const octets key = string_bytes();
+      const std::u32string name = characters();
       need(":");
-      const std::string name(key.begin(), key.end());
-      if (result.find(name) != nullptr) throw refused("member given twice: " + name);
+      if (std::find(result.names.begin(), result.names.end(), name) != result.names.end()) throw refused("member given twice");
       result.names.push_back(name);
       result.items.push_back(value(depth + 1));
       skip_space();
@@ -110,36 +109,52 @@ class parser {
     return std::string(text_.substr(start, at_ - start));
   }
 
-  octets string_bytes() {
+  std::u32string characters() {
     need("\"");
-    octets bytes;
-    while (peek() != '"') {
-      const std::uint32_t character = take("\\") ? escaped() : plain();
-      if (character > 0xFF) throw refused("a character that is no byte");
-      bytes.push_back(static_cast<std::uint8_t>(character));
-    }
-    need("\"");
-    return bytes;
+    std::u32string result;
+    while (peek() != '"') result.push_back(take("\\") ? escaped() : plain());
+    take("\"");
+    return result;
   }
 
-  std::uint32_t plain() {
-    if (at_ >= text_.size()) throw refused("string not closed");
-    const auto first = static_cast<std::uint8_t>(text_[at_++]);
+  // UTF-8 as RFC 3629 has it: nothing overlong, no surrogates, at most U+10FFFF.
+  char32_t plain() {
+    const std::uint32_t first = octet();
     if (first < 0x20) throw refused("control character in a string");
     if (first < 0x80) return first;
-    // UTF-8: only two-byte sequences can give a character up to U+00FF.
-    if (first != 0xC2 && first != 0xC3) throw refused("a character that is no byte");
-    const auto second = static_cast<std::uint8_t>(peek());
-    if ((second & 0xC0) != 0x80) throw refused("broken UTF-8");
-    ++at_;
-    return (static_cast<std::uint32_t>(first & 0x03) << 6) | (second & 0x3FU);
+    if (first >= 0xC2 && first <= 0xDF) return (first - 0xC0) * 64 + continuation();
+    if (first >= 0xE0 && first <= 0xEF) {
+      std::uint32_t code = (first - 0xE0) * 64 + continuation();
+      code = code * 64 + continuation();
+      if (code < 0x800 || is_surrogate(code)) throw refused("broken UTF-8");
+      return code;
+    }
+    if (first < 0xF0 || first > 0xF4) throw refused("broken UTF-8");
+    std::uint32_t code = (first - 0xF0) * 64 + continuation();
+    code = code * 64 + continuation();
+    code = code * 64 + continuation();
+    if (code < 0x10000 || code > 0x10FFFF) throw refused("broken UTF-8");
+    return code;
   }
 
-  std::uint32_t escaped() {
+  std::uint32_t octet() {
+    if (at_ >= text_.size()) throw refused("string not closed");
+    return static_cast<std::uint8_t>(text_[at_++]);
+  }
+
+  std::uint32_t continuation() {
+    const std::uint32_t value = octet();
+    if (value < 0x80 || value > 0xBF) throw refused("broken UTF-8");
+    return value - 0x80;
+  }
+
+  static bool is_surrogate(std::uint32_t code) { return code >= 0xD800 && code <= 0xDFFF; }
+
+  char32_t escaped() {
     const char letter = peek();
     ++at_;
     switch (letter) {
-      case '"': case '\\': case '/': return static_cast<std::uint32_t>(letter);
+      case '"': case '\\': case '/': return static_cast<char32_t>(letter);
       case 'b': return 0x08;
       case 'f': return 0x0C;
       case 'n': return 0x0A;
@@ -148,6 +163,17 @@ class parser {
       case 'u': break;
       default: throw refused("unknown escape");
     }
+    const std::uint32_t code = hex_number();
+    // Two escapes that are the halves of one character; a half alone stands for itself.
+    if (code >= 0xD800 && code <= 0xDBFF && take("\\u")) {
+      const std::uint32_t second = hex_number();
+      if (second >= 0xDC00 && second <= 0xDFFF) return 0x10000 + (code - 0xD800) * 0x400 + (second - 0xDC00);
+      at_ -= 6;
+    }
+    return code;
+  }
+
+  std::uint32_t hex_number() {
     std::uint32_t code = 0;
     for (int i = 0; i < 4; ++i, ++at_) code = code * 16 + hex_digit(peek());
     return code;
@@ -164,15 +190,19 @@ class parser {
   std::size_t at_ = 0;
 };
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+bool same(const std::u32string& characters, std::string_view ascii) {
+  return std::equal(characters.begin(), characters.end(), ascii.begin(), ascii.end());
+}
+
+bool contains(const std::vector<std::string>& names, const std::u32string& name) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& each) { return same(name, each); });
 }
 
 }  // namespace
 
 const json_value* json_value::find(std::string_view name) const {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == name) return &items[i];
+    if (same(names[i], name)) return &items[i];
   }
   return nullptr;
 }
@@ -223,7 +253,12 @@ long long integer(const json_value& value, long long low, long long high) {
 
 std::string string(const json_value& value) {
   if (value.type != json_value::kind::string) throw refused("a string expected");
-  return {value.bytes.begin(), value.bytes.end()};
+  std::string bytes;
+  for (const char32_t character : value.characters) {
+    if (character > 0xFF) throw refused("a character that is no byte");
+    bytes.push_back(static_cast<char>(character));
+  }
+  return bytes;
 }
 
 const std::vector<json_value>& array(const json_value& value, std::size_t size) {
@@ -235,8 +270,8 @@ const std::vector<json_value>& array(const json_value& value, std::size_t size) 
 void expect_members(const json_value& object, const std::vector<std::string>& known,
                     const std::vector<std::string>& ignored) {
   if (object.type != json_value::kind::object) throw refused("an object expected");
-  for (const std::string& name : object.names) {
-    if (!contains(known, name) && !contains(ignored, name)) throw refused("unknown field " + name);
+  for (const std::u32string& name : object.names) {
+    if (!contains(known, name) && !contains(ignored, name)) throw refused("unknown field");
   }
 }
 

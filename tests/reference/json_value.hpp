@@ -23,9 +23,9 @@ struct json_value {
 
   kind type = kind::null;
   std::string number_text = "";         ///< as written
-  octets bytes = {};                    ///< a string's characters, U+0000..U+00FF
+  std::u32string characters = {};       ///< of a string
   std::vector<json_value> items = {};   ///< of an array, or the values of an object's members
-  std::vector<std::string> names = {};  ///< of an object's members, in the order of their values
+  std::vector<std::u32string> names = {};  ///< of an object's members, in the order of their values
 
   /// The member of that name, or nothing.
   const json_value* find(std::string_view name) const;
@@ -40,7 +40,7 @@ std::string plain_number(const json_value& value);
 /// A whole number, however it is written, in low..high; throws `refused`.
 long long integer(const json_value& value, long long low, long long high);
 
-/// A string's bytes; throws `refused`.
+/// A string's characters, U+0000..U+00FF, as bytes; throws `refused`.
 std::string string(const json_value& value);
 
 /// The items of an array that has exactly so many; throws `refused`.
