@@ -1,5 +1,5 @@
 #pragma once
-// Races: contenders that do the same work on the same stream, compared first and then timed in interleaved rounds.
+// Races: contenders that do the same work on the same stream, proved right first and then timed in interleaved rounds.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace trama::bench {
 
-/// What a contender made of its stream. Contenders of one group must come to the same.
+/// What somebody made of a stream.
 struct tally {
     std::uint64_t messages = 0;
     std::uint64_t sum = 0;     ///< Over lengths or field values, so that no work can be left out.
-    std::uint64_t errors = 0;  ///< Error events.
+    std::uint64_t errors = 0;  ///< Error events, and invalid messages where that is asked.
     friend bool operator==(const tally&, const tally&) = default;
 };
 
@@ -21,21 +21,33 @@ enum class role {
     library,
 };
 
-inline constexpr int not_compared = 0;
-
+/// Somebody who is timed. All but the limits must come to the same.
 struct contender {
     std::string name;
     std::string chunk;  ///< "whole" or the size of the pieces that the stream came in.
     role part;
     std::uint64_t bytes;
-    int group;                    ///< Results are compared within a group, not at all in group 0.
+    std::uint64_t messages;  ///< That its stream was made of; 0 of noise.
     std::function<tally()> run;
-    std::function<tally()> proof;  ///< Where the result of `run` does not show all of the work: what is compared instead.
 };
+
+/// What somebody says to a question before anything is timed: a contender with code that also heeds the order of fields
+/// and messages, or a witness that is never timed. All answers to a question must be the same, and to at least one
+/// question each contender must be answered by somebody else.
+struct answer {
+    std::string question;
+    std::string name;
+    std::string chunk;  ///< Of a contender; empty of a witness.
+    std::function<tally()> tell;
+};
+
+/// The question that every contender answers.
+inline const std::string whole_stream = "the whole stream";
 
 struct race {
     std::string format, workload, size, task;
-    std::vector<contender> contenders;
+    std::vector<contender> contenders{};
+    std::vector<answer> answers{};
 
     std::string id() const { return format + '/' + workload + '/' + size + '/' + task; }
 };
@@ -72,8 +84,9 @@ struct scale {
 /// "64 MiB"
 std::string size_name(std::size_t bytes);
 
-/// Runs every contender once and compares what they come to; then, if they agree, `rounds` interleaved rounds.
-/// `progress(done, all)` is called before each run.
+/// Hears all answers, runs every contender once and compares; then, if they agree, `rounds` interleaved rounds. In each a
+/// contender runs as often as a millisecond allows, at least once, so that reading the clock does not count.
+/// `progress(done, all)` is called before each step.
 outcome run(race r, int rounds, const std::function<void(std::size_t, std::size_t)>& progress);
 
 }  // namespace trama::bench

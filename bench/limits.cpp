@@ -64,10 +64,10 @@ tally check_printable(std::span<const std::uint8_t> in) {
     return {0, good ? 1U : 0U, 0};
 }
 
-void add_memory_limits(race& r, std::span<const std::uint8_t> in) {
+void add_memory_limits(race& r, std::span<const std::uint8_t> in, std::uint64_t messages) {
     const auto out = std::make_shared<std::vector<std::uint8_t>>(in.size());
-    r.contenders.push_back({"memcpy", "whole", role::limit, in.size(), not_compared, [in, out] { return copy_all(in, *out); }, {}});
-    r.contenders.push_back({"vector pass", "whole", role::limit, in.size(), not_compared, [in] { return read_all(in); }, {}});
+    r.contenders.push_back({"memcpy", "whole", role::limit, in.size(), messages, [in, out] { return copy_all(in, *out); }});
+    r.contenders.push_back({"vector pass", "whole", role::limit, in.size(), messages, [in] { return read_all(in); }});
 }
 
 }  // namespace trama::bench

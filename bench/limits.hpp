@@ -14,7 +14,7 @@ tally read_all(std::span<const std::uint8_t> in);
 /// Checks that every byte is printable, STX or ETX, in vectors where the machine has them, and nothing else.
 tally check_printable(std::span<const std::uint8_t> in);
 
-/// Adds memcpy and the vector pass; `out` is shared by all copies of a race.
-void add_memory_limits(race& r, std::span<const std::uint8_t> in);
+/// Adds memcpy and the vector pass, for a stream made of so many messages.
+void add_memory_limits(race& r, std::span<const std::uint8_t> in, std::uint64_t messages);
 
 }  // namespace trama::bench

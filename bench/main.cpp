@@ -18,16 +18,21 @@ constexpr std::string_view help =
     "usage: trama_bench [--quick] [--check] [--only PATTERN] [--rounds N] [--json] [--list]\n"
     "\n"
     "Times trama beside what the machine could do at best and beside hand-written code. Before anything is timed, the\n"
-    "results of all are compared. Ratios are medians over rounds in which the contenders take turns.\n"
+    "results of all are compared, order included, with each other, with what the streams were made of and with a second\n"
+    "implementation. Ratios are medians over rounds in which the contenders take turns, per byte.\n"
+    "\n"
+    "Times are ns for each message that the stream was made of, whether it is found or damaged; of a stream that was made\n"
+    "of none (garbage, hostile) ns for the whole stream.\n"
     "\n"
     "  --quick         shorter streams, under a minute in all; caches and predictors then flatter everybody\n"
     "  --check         only what the targets ask for, then the table of targets\n"
     "  --only PATTERN  only races whose name contains PATTERN (format/workload/size/task)\n"
     "  --rounds N      rounds, 9 if not said otherwise and never fewer\n"
-    "  --json          one JSON object instead of the tables; ns are per message\n"
+    "  --json          one JSON object instead of the tables, in the same unit; a race that disagrees is not in it\n"
     "  --list          the names of the races\n"
     "\n"
-    "Status: 0 if all results agree, 1 if some don't, 2 if the command line is wrong. Times decide nothing.\n";
+    "Status: 0 if all results agree, 1 if some don't (it is said on the standard error), 2 if the command line is wrong or\n"
+    "names no race. Times decide nothing.\n";
 
 struct options {
     bool quick = false, check = false, json = false, list = false;
@@ -49,6 +54,7 @@ void keep_targets(race& r, const scale& sizes) {
             if (race_of(t, sizes) == r.id() && ((c.name == t.contender && c.chunk == t.chunk) || (c.name == t.against && c.chunk == "whole"))) return false;
         return true;
     });
+    std::erase_if(r.answers, [&](const answer& a) { return !a.chunk.empty() && find(r, a.name, a.chunk) == r.contenders.size(); });
 }
 
 bool parse(int argc, char** argv, options& o) {
@@ -85,7 +91,8 @@ int run_all(const std::vector<entry>& entries, const options& o, const scale& si
         if (o.check) keep_targets(r, sizes);
         outcomes.push_back(run(std::move(r), o.rounds, [&](std::size_t done, std::size_t all) { show_progress(entries[i].id, i + 1, entries.size(), done, all); }));
         outcome& last = outcomes.back();
-        for (contender& one : last.what.contenders) one.run = one.proof = nullptr;  // lets go of the streams
+        for (contender& one : last.what.contenders) one.run = nullptr;  // lets go of the streams
+        last.what.answers.clear();
         agreed = agreed && last.disagreement.empty();
         clear_progress();
         if (!last.disagreement.empty()) std::fprintf(stderr, "%s: %s\n", last.what.id().c_str(), last.disagreement.c_str());
@@ -118,6 +125,10 @@ int main(int argc, char** argv) {
     std::erase_if(entries, [&](const entry& e) {
         return e.id.find(o.only) == std::string::npos || (o.check && !wanted_by_target(e.id, sizes));
     });
+    if (entries.empty()) {
+        std::fprintf(stderr, "no race is called %s; --list names them all\n", o.only.c_str());
+        return 2;
+    }
     if (o.list) {
         for (const entry& e : entries) std::printf("%s\n", e.id.c_str());
         return 0;

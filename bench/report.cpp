@@ -1,8 +1,11 @@
 #include "report.hpp"
 
+#include <sys/utsname.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <thread>
 
 #include "build_info.hpp"
 
@@ -42,28 +45,34 @@ std::string ratio_or(const outcome& o, std::size_t a, std::size_t b, const char*
     return b == o.times.size() ? none : text_of(format, ratio(o, a, b));
 }
 
-/// Some limits know nothing of messages; their figures are for the messages of the others' stream.
-std::uint64_t messages_of(const outcome& o, std::size_t i) {
-    if (o.times[i].result.messages != 0) return o.times[i].result.messages;
-    for (std::size_t other = 0; other != o.times.size(); ++other)
-        if (o.what.contenders[other].part == role::library && o.what.contenders[other].bytes == o.what.contenders[i].bytes)
-            return o.times[other].result.messages;
-    return 0;
+/// What times are divided by: the messages that the stream was made of; the whole stream if it was made of none.
+double divisor(const contender& c) { return static_cast<double>(std::max<std::uint64_t>(c.messages, 1)); }
+
+/// The processor's name, or where there is none its numbers, as on aarch64; then cores and architecture.
+std::string machine() {
+    std::string name, numbers;
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; name.empty() && std::getline(info, line);) {
+        const std::string value = line.substr(std::min(line.size(), line.find(':') + 1));
+        if (line.starts_with("model name")) name = value.substr(1);
+        else if (line.starts_with("CPU implementer") && numbers.empty()) numbers = "CPU implementer" + value;
+        else if (line.starts_with("CPU part") && numbers.find("part") == std::string::npos) numbers += " part" + value;
+    }
+    if (name.empty()) name = numbers.empty() ? "unknown processor" : numbers;
+    utsname system{};
+    const std::string architecture = uname(&system) == 0 ? system.machine : "unknown architecture";
+    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + architecture;
 }
 
 }  // namespace
 
 circumstances here() {
-    std::string machine = "unknown";
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.starts_with("model name")) { machine = line.substr(line.find(':') + 2); break; }
 #if defined(__clang__)
     const std::string compiler = std::string("clang++ ") + __clang_version__;
 #else
     const std::string compiler = std::string("g++ ") + __VERSION__;
 #endif
-    return {machine, compiler, build_flags, build_commit};
+    return {machine(), compiler, build_flags, build_commit};
 }
 
 std::string table(const outcome& o) {
@@ -75,7 +84,7 @@ std::string table(const outcome& o) {
         const contender& c = o.what.contenders[i];
         const auto& ns = o.times[i].ns;
         const auto [low, high] = std::minmax_element(ns.begin(), ns.end());
-        const double middle = median(ns), each = static_cast<double>(std::max<std::uint64_t>(messages_of(o, i), 1));
+        const double middle = median(ns), each = divisor(c);
         text += text_of("  %-26s %-6s %10.2f %10.2f %10.2f %6.0f%% %9.0f", c.name.c_str(), c.chunk.c_str(), *low / each, middle / each, *high / each,
                         100 * (*high - *low) / middle, static_cast<double>(c.bytes) / middle * 1e3);
         text += ratio_or(o, i, limit, "         ", " %8.2f") + ratio_or(o, i, baseline, "", " %10.2f") + "\n";
@@ -95,14 +104,12 @@ std::string json(const circumstances& c, std::span<const outcome> all) {
             const contender& one = o.what.contenders[i];
             const auto& ns = o.times[i].ns;
             const auto [low, high] = std::minmax_element(ns.begin(), ns.end());
-            const std::uint64_t messages = messages_of(o, i);
-            const double each = static_cast<double>(std::max<std::uint64_t>(messages, 1));
+            const double each = divisor(one);
             text.append(gap).append("{\"format\":").append(quoted(o.what.format)).append(",\"workload\":").append(quoted(o.what.workload));
             text.append(",\"size\":").append(quoted(o.what.size)).append(",\"chunk\":").append(quoted(one.chunk));
             text.append(",\"task\":").append(quoted(o.what.task)).append(",\"implementation\":").append(quoted(one.name));
-            text += text_of(",\"messages\":%llu,\"bytes\":%llu,\"rounds\":%zu", static_cast<unsigned long long>(messages), static_cast<unsigned long long>(one.bytes), ns.size());
+            text += text_of(",\"messages\":%llu,\"bytes\":%llu,\"rounds\":%zu", static_cast<unsigned long long>(one.messages), static_cast<unsigned long long>(one.bytes), ns.size());
             text += text_of(",\"ns_min\":%.4f,\"ns_median\":%.4f,\"ns_max\":%.4f", *low / each, median(ns) / each, *high / each);
-            text += text_of(",\"bytes_per_second\":%.0f", static_cast<double>(one.bytes) / median(ns) * 1e9);
             text += ",\"ratio_limit\":" + ratio_or(o, i, limit, "null", "%.4f") + ",\"ratio_baseline\":" + ratio_or(o, i, baseline, "null", "%.4f") + "}";
             gap = ",\n";
         }

@@ -1,11 +1,12 @@
 #pragma once
 // The library's side of every race, written once against the wire_format concept.
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "harness.hpp"
 #include "trama/core/view.hpp"
+#include "words.hpp"
 
 namespace trama::bench {
 
@@ -18,24 +19,19 @@ using units = std::vector<typename F::unit>;
 template <class F>
 using unit_span = std::span<const typename F::unit>;
 
-/// One word that depends on all of a field's value. The hand-written code sums the same words.
-template <class V>
-[[gnu::always_inline]] inline std::uint64_t word_of(const V& v) {
-    if constexpr (std::is_enum_v<V> || std::integral<V>) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(v));
-    } else if constexpr (requires { v.columns; }) {
-        const auto* p = reinterpret_cast<const std::uint8_t*>(v.columns.data());
-        return load_le<std::uint64_t>(p) + load_le<std::uint16_t>(p + v.columns.size() - 2);
-    } else if constexpr (requires { v.bytes(); }) {
-        return v.empty() ? 0 : v.size() + v[0] + v[v.size() - 1];
-    } else if constexpr (has_layout<V>) {
-        return [&]<std::size_t... I>(std::index_sequence<I...>) {
-            return (std::uint64_t{0} + ... + word_of(v.*field_of<V, I>.member));
-        }(std::make_index_sequence<V::layout.count>{});
-    } else {
-        std::uint64_t sum = 0;
-        for (const auto& one : v) sum += word_of(one);
-        return sum;
+/// Calls `f(word)` for the envelope, the key and the fields of a message.
+template <class F, bool Ordered, class M>
+[[gnu::always_inline]] inline void each_message_word(const typename F::envelope& e, const M& m, auto&& f) {
+    traits<F>::each_envelope_word(e, f);
+    f(static_cast<std::uint64_t>(M::key));
+    each_word<Ordered>(m, f);
+}
+/// Calls `f(word)` for the two fields that are read by view, if this is the message that has them.
+template <class F, class M>
+void each_chosen_word(const M& m, auto&& f) {
+    if constexpr (std::is_same_v<M, typename traits<F>::chosen>) {
+        f(as_word(m.*traits<F>::first));
+        f(as_word(m.*traits<F>::second));
     }
 }
 
@@ -53,85 +49,104 @@ template <class F>
     read<F>(decoder, {}, f);
 }
 
-// Each task counts in variables of its own: a tally is returned through memory, which the loop would then write to.
-
 /// Finds the packets.
-template <class F>
+template <class F, bool Ordered>
 tally framing(unit_span<F> in, std::size_t chunk) {
-    std::uint64_t messages = 0, sum = 0, errors = 0;
+    account<Ordered> a;
     drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
-        if (event || event.code == errc::unknown_message) {
-            ++messages;
-            sum += event.length;
-        } else {
-            ++errors;
-        }
+        if (event || event.code == errc::unknown_message) a.packet(event.length);
+        else a.error(event.length, static_cast<std::uint64_t>(event.code));
     });
-    return {messages, sum, errors};
+    return a.result();
 }
 
 /// Finds the packets and hands each typed message to a visitor that reads all of its fields, in order.
-template <class F, bool Validate = false>
+template <class F, bool Ordered, bool Validate>
 tally typed(unit_span<F> in, std::size_t chunk) {
-    std::uint64_t messages = 0, sum = 0, errors = 0;
+    account<Ordered> a;
     drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
-        if (!event) {
-            ++errors;
-            return;
-        }
+        if (!event) return a.error(event.length, static_cast<std::uint64_t>(event.code));
         const error e = visit<F>(event.packet, [&]<class M>(const M& m) __attribute__((always_inline)) {
-            if constexpr (Validate) errors += is_valid(m) ? 0 : 1;
-            sum += word_of(m) + static_cast<std::uint64_t>(M::key) + traits<F>::word_of_envelope(event.packet);
+            a.words([&](auto&& f) __attribute__((always_inline)) { each_message_word<F, Ordered>(event.packet.envelope(), m, f); });
+            if constexpr (Validate) a.judge(is_valid(m));
         });
-        ++messages;
-        errors += e ? 1 : 0;
+        ++a.messages;
+        a.errors += e ? 1 : 0;
     });
-    return {messages, sum, errors};
+    return a.result();
 }
 
 /// Finds the packets and reads two fields of one kind of message by view.
-template <class F>
+template <class F, bool Ordered>
 tally selected(unit_span<F> in, std::size_t chunk) {
-    std::uint64_t messages = 0, sum = 0, errors = 0;
+    account<Ordered> a;
     drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
-        if (!event) {
-            ++errors;
-            return;
-        }
-        ++messages;
-        sum += traits<F>::two_fields(event.packet);
+        if (!event) return a.error(event.length, static_cast<std::uint64_t>(event.code));
+        ++a.messages;
+        const auto v = view_as<typename traits<F>::chosen>(event.packet);
+        if (!v) return;
+        a.words([&](auto&& f) __attribute__((always_inline)) {
+            f(as_word(v->template get<traits<F>::first>().value_or({})));
+            f(as_word(v->template get<traits<F>::second>().value_or({})));
+        });
     });
-    return {messages, sum, errors};
+    return a.result();
 }
 
-/// A stream and how many messages it is made of.
+template <class F, task T, bool Ordered>
+tally by_library(unit_span<F> in, std::size_t chunk) {
+    if constexpr (T == task::framing) return framing<F, Ordered>(in, chunk);
+    else if constexpr (T == task::selected) return selected<F, Ordered>(in, chunk);
+    else return typed<F, Ordered, T == task::validated>(in, chunk);
+}
+
+template <class F>
+using library_task = tally (*)(unit_span<F>, std::size_t chunk);
+/// The library at all tasks. Each format compiles the timed ones apart, with nothing else in the source.
+template <class F, bool Ordered>
+constexpr std::array<library_task<F>, std::size(all_tasks)> library_tasks() {
+    return {by_library<F, task::framing, Ordered>, by_library<F, task::typed, Ordered>, by_library<F, task::validated, Ordered>, by_library<F, task::selected, Ordered>};
+}
+
+/// What the generator of a stream knows about it.
+struct known {
+    std::uint64_t messages = 0;
+    ordered_sum lengths{}, fields{}, chosen{};
+
+    /// What a contender must come to that does `t` in order; all messages of these streams are valid.
+    tally answer(task t) const { return {messages, t == task::framing ? lengths.value : t == task::selected ? chosen.value : fields.value, 0}; }
+    void add(const known& more) {
+        messages += more.messages;
+        lengths.add(more.lengths);
+        fields.add(more.fields);
+        chosen.add(more.chosen);
+    }
+};
+
+/// A stream and what it was made of.
 template <class F>
 struct stream {
     units<F> data;
-    std::uint64_t messages = 0;
+    known made_of{};
 };
 template <class F>
 using shared_stream = std::shared_ptr<const stream<F>>;
 
-/// "whole" or the number of bytes.
-inline std::string chunk_name(std::size_t bytes) {
-    return bytes == 0 ? "whole" : bytes % 1024 == 0 ? std::to_string(bytes / 1024) + " Ki" : std::to_string(bytes);
-}
+template <class F>
+std::span<const std::uint8_t> bytes_of(const units<F>& data) { return {reinterpret_cast<const std::uint8_t*>(data.data()), data.size() * sizeof(typename F::unit)}; }
 
-/// The library doing `task`, for each of the chunk sizes, given in bytes.
+/// Hand-written code for all tasks, to be timed and, with an ordered sum, to be compared.
 template <class F>
-void add_library(race& r, const shared_stream<F>& s, tally (*task)(unit_span<F>, std::size_t), std::initializer_list<std::size_t> chunks) {
-    for (const std::size_t bytes : chunks) {
-        const std::size_t size = sizeof(typename F::unit);
-        const std::size_t chunk = bytes == 0 ? 0 : std::max<std::size_t>(1, bytes / size);
-        r.contenders.push_back({"trama", chunk_name(bytes), role::library, s->data.size() * size, 1,
-                                [s, task, chunk] { return task(s->data, chunk); }, {}});
-    }
-}
-/// Hand-written code or a limit, on the whole stream.
-template <class F>
-void add_whole(race& r, const shared_stream<F>& s, const char* name, role part, int group, tally (*task)(unit_span<F>)) {
-    r.contenders.push_back({name, "whole", part, s->data.size() * sizeof(typename F::unit), group, [s, task] { return task(s->data); }, {}});
+struct by_hand_code {
+    const char* name;
+    struct { tally (*run)(unit_span<F>), (*proof)(unit_span<F>); } tasks[std::size(all_tasks)];
+};
+/// `Code::run<T, Ordered>` for all tasks.
+template <class F, class Code>
+constexpr by_hand_code<F> code_of(const char* name) {
+    const auto both = []<task T>() { return typename std::remove_extent_t<decltype(by_hand_code<F>::tasks)>{Code::template run<T, false>, Code::template run<T, true>}; };
+    return {name, {both.template operator()<task::framing>(), both.template operator()<task::typed>(), both.template operator()<task::validated>(),
+                   both.template operator()<task::selected>()}};
 }
 
 }  // namespace trama::bench

@@ -5,14 +5,17 @@
 
 namespace trama::bench {
 
-/// Appends `m` to the stream as the format encodes it.
+/// Appends `m` to the stream as the format encodes it, and notes what it is.
 template <class F, class M>
 void append(stream<F>& s, const typename F::envelope& e, const M& m) {
     std::array<typename F::unit, F::max_units> out;
     const auto size = F::encode(e, m, out);
     if (!size) return;
     s.data.insert(s.data.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(*size));
-    ++s.messages;
+    ++s.made_of.messages;
+    s.made_of.lengths.add(*size);
+    each_message_word<F, true>(e, m, [&](std::uint64_t word) { s.made_of.fields.add(word); });
+    each_chosen_word<F>(m, [&](std::uint64_t word) { s.made_of.chosen.add(word); });
 }
 
 /// Appends a random message of the kind at `index`.
@@ -36,12 +39,43 @@ stream<F> make_stream(std::size_t bytes, std::uint64_t seed, auto&& add) {
     return s;
 }
 
+/// Gives one number of `m` any value that its wire type carries.
+template <has_layout M>
+void spoil(M& m, dice& d) {
+    std::size_t leaves = 0;
+    each_leaf(m, [&]<class W>(field_ref, auto&, const rule&) { ++leaves; });
+    std::size_t left = d.below(leaves);
+    each_leaf(m, [&]<class W>(field_ref, auto& v, const rule&) {
+        using value = std::remove_cvref_t<decltype(v)>;
+        if (left-- != 0) return;
+        if constexpr (std::is_enum_v<value> || std::integral<value>)
+            v = static_cast<value>(W::low + static_cast<std::int64_t>(d.below(static_cast<std::uint64_t>(W::high - W::low) + 1)));
+    });
+}
+
+/// Messages of all kinds, every other one with a value that the document may not allow. What it is made of is not noted.
+template <class F>
+stream<F> out_of_range(std::size_t units) {
+    stream<F> s;
+    dice d(41);
+    while (s.data.size() < units)
+        F::messages::at(d.below(F::messages::count), [&]<class M>() {
+            arena memory;
+            M m = random_message<M>(d, memory);
+            if (M::layout.count != 0 && d.one_in(2)) spoil(m, d);
+            std::array<typename F::unit, F::max_units> out;
+            const auto size = F::encode_unchecked(traits<F>::template addresses<M>(d), m, out);
+            if (size) s.data.insert(s.data.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(*size));
+        });
+    return s;
+}
+
 /// Faults in one of `one_in` places of `spacing` units: a unit changed, lost, doubled or put in.
 template <class F>
 stream<F> damaged(const stream<F>& good, std::uint64_t one_in, std::size_t spacing, std::uint64_t seed) {
     stream<F> s;
     s.data.reserve(good.data.size() + good.data.size() / 16);
-    s.messages = good.messages;
+    s.made_of.messages = good.made_of.messages;
     dice d(seed);
     for (std::size_t at = 0; at < good.data.size(); at += spacing) {
         const std::size_t end = std::min(at + spacing, good.data.size());

@@ -1,18 +1,15 @@
 #include "can.hpp"
 
-#include "limits.hpp"
-
-#include "encode.hpp"
+#include "races.hpp"
 
 namespace trama::bench {
 
 namespace {
 
 using F = can::format;
-using namespace can_code;
 
 /// Messages of all kinds on three identifiers whose frames interleave at random.
-shared_stream<F> interleaved(std::size_t bytes) {
+stream<F> interleaved(std::size_t bytes) {
     stream<F> s;
     dice d(21);
     std::array<stream<F>, 3> queues;
@@ -23,99 +20,71 @@ shared_stream<F> interleaved(std::size_t bytes) {
         const std::size_t i = d.below(3);
         auto& queue = queues[i].data;
         if (next[i] == queue.size()) {
-            queue.clear();
+            queues[i] = {};
             next[i] = 0;
             if (s.data.size() >= frames) continue;
-            append_random(queues[i], d.below(can::messages::count), d);
-            for (auto& f : queue) f.id = static_cast<std::uint32_t>(0x80 + i);
-            ++s.messages;
+            const auto id = static_cast<std::uint32_t>(0x80 + i);
+            F::messages::at(d.below(F::messages::count), [&]<class M>() {
+                arena memory;
+                append(queues[i], {id}, random_message<M>(d, memory));
+            });
         }
         s.data.push_back(queue[next[i]++]);
         s.data.back().time = s.data.size();
+        if (next[i] == queue.size()) s.made_of.add(queues[i].made_of);
     }
-    return std::make_shared<stream<F>>(std::move(s));
+    return s;
 }
+/// One message in `one_in` damaged, of about two frames each.
+stream<F> damaged_session(std::size_t bytes, std::uint64_t one_in) { return damaged(can_session(bytes), one_in, 2, 23); }
 
-std::span<const std::uint8_t> bytes_of(frames_in in) { return {reinterpret_cast<const std::uint8_t*>(in.data()), in.size_bytes()}; }
-
-void add(std::vector<entry>& all, const std::string& workload, std::size_t bytes, const std::string& task, const std::function<void(race&)>& fill) {
-    race r{"can", workload, size_name(bytes), task, {}};
-    all.push_back({r.id(), [r, fill]() mutable { fill(r); return r; }});
-}
-
-using setpoints = std::array<can::set_actuator, 4>;
-
-std::size_t encode_by_library(std::span<const setpoints> in, std::span<can::frame> out) {
-    std::size_t at = 0;
-    for (const setpoints& four : in)
-        for (const can::set_actuator& m : four)
-            if (const auto n = can::encode({can::master_1}, m, out.subspan(at))) at += *n;
-    return at;
-}
-std::size_t encode_by_vectors(std::span<const setpoints> in, std::span<can::frame> out) {
-    std::size_t at = 0;
-    for (const setpoints& four : in)
-        for (const can::set_actuator& m : four) {
-            const std::vector<std::uint8_t> data{m.node, m.message_id, 'M', m.actuator, m.state};
-            can::frame f{};
-            f.id = can::master_1;
-            f.length = static_cast<std::uint8_t>(data.size());
-            std::copy(data.begin(), data.end(), f.data.begin());
-            out[at++] = f;
+/// Frames of all kinds with anything in them, most of them with a letter that begins a message.
+stream<F> garbage(std::size_t bytes) {
+    stream<F> s;
+    dice d(25);
+    s.data.resize(bytes / sizeof(can::frame));
+    for (can::frame& f : s.data) {
+        f.id = static_cast<std::uint32_t>(0x7F + d.below(5));
+        f.length = static_cast<std::uint8_t>(d.below(9));
+        for (std::size_t i = 0; i != f.length; ++i) f.data[i] = static_cast<std::uint8_t>(d.next());
+        if (f.length > 2 && !d.one_in(4)) f.data[2] = static_cast<std::uint8_t>("FRAMC"[d.below(5)]);
+        switch (d.below(24)) {
+            case 0: f.extended = true; break;
+            case 1: f.remote = true; break;
+            case 2: f.error = true; break;
+            case 3: f.fd = true; break;
+            default: break;
         }
-    return at;
+    }
+    return s;
 }
-
-std::shared_ptr<const std::vector<setpoints>> random_setpoints(std::size_t bytes) {
-    auto all = std::make_shared<std::vector<setpoints>>(bytes / (4 * sizeof(can::frame)));
-    dice d(22);
-    arena memory;
-    for (auto& four : *all)
-        for (auto& m : four) m = random_message<can::set_actuator>(d, memory);
-    return all;
+/// First frames of messages that never go on: each breaks off the one before it, on three identifiers in turn.
+stream<F> hostile(std::size_t bytes) {
+    stream<F> s;
+    dice d(26);
+    s.data.resize(bytes / sizeof(can::frame));
+    for (std::size_t i = 0; i != s.data.size(); ++i) {
+        can::frame& f = s.data[i];
+        f.id = static_cast<std::uint32_t>(0x80 + i % 3);
+        f.length = 8;
+        for (std::uint8_t& b : f.data) b = static_cast<std::uint8_t>(d.next());
+        f.data[2] = d.one_in(2) ? 'R' : 'C';  // which are followed by 4 and by 2 bytes
+    }
+    return s;
 }
 
 }  // namespace
 
 void add_can(std::vector<entry>& all, const scale& sizes) {
-    for (const std::size_t bytes : {sizes.large, sizes.small}) {
-        add(all, "interleaved", bytes, "framing", [=](race& r) {
-            const auto s = interleaved(bytes);
-            add_whole<F>(r, s, "frame walk", role::limit, not_compared, walk);
-            add_memory_limits(r, bytes_of(s->data));
-            add_library<F>(r, s, framing<F>, {0, 65536, 1460, 64, 32});
-        });
-        add(all, "interleaved", bytes, "typed", [=](race& r) {
-            const auto s = interleaved(bytes);
-            add_whole<F>(r, s, "frame walk", role::limit, not_compared, walk);
-            add_whole<F>(r, s, "map and vectors", role::baseline, 1, typed_maps);
-            add_whole<F>(r, s, "slots and switch", role::baseline, 1, typed_slots);
-            add_library<F>(r, s, typed<F>, {0, 65536, 1460, 64, 32});
-        });
-        add(all, "interleaved", bytes, "validated", [=](race& r) {
-            const auto s = interleaved(bytes);
-            add_whole<F>(r, s, "frame walk", role::limit, not_compared, walk);
-            add_library<F>(r, s, typed<F, true>, {0});
-        });
-    }
-    add(all, "interleaved", sizes.large, "two fields by view", [=](race& r) {
-        const auto s = interleaved(sizes.large);
-        add_whole<F>(r, s, "frame walk", role::limit, not_compared, walk);
-        add_library<F>(r, s, selected<F>, {0});
+    add_races<F>(all, sizes, {
+        {"interleaved", condition::clean, interleaved},
+        {"session, no damage", condition::clean, can_session},
+        {"session, 0.1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 1000); }},
+        {"session, 1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 100); }},
+        {"garbage", condition::noise, garbage},
+        {"hostile", condition::noise, hostile},
     });
-    for (const auto& [name, one_in] : {std::pair{"session, 0.1 % damaged", 1000}, std::pair{"session, 1 % damaged", 100}})
-        add(all, name, sizes.large, "typed", [=, rate = static_cast<std::uint64_t>(one_in)](race& r) {
-            const auto s = std::make_shared<stream<F>>(damaged(*interleaved(sizes.large), rate, 2, 23));
-            add_whole<F>(r, s, "frame walk", role::limit, not_compared, walk);
-            add_library<F>(r, s, typed<F>, {0, 1460});
-        });
-    race r{"can", "setpoints", size_name(sizes.large), "encode", {}};
-    all.push_back({r.id(), [r, bytes = sizes.large]() mutable {
-        encoding<setpoints, can::frame> e(r, random_setpoints(bytes), 4, 4);
-        e.add("trama", role::library, encode_by_library);
-        e.add("vectors", role::baseline, encode_by_vectors);
-        return r;
-    }});
+    add_can_encode(all, sizes);
 }
 
 }  // namespace trama::bench

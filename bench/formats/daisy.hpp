@@ -7,16 +7,22 @@ namespace trama::bench {
 
 template <>
 struct traits<daisy::format> {
-    [[gnu::always_inline]] static std::uint64_t word_of_envelope(const daisy::packet& p) {
-        const auto e = p.envelope();
-        return e.destination.octet + 3U * e.source.octet;
+    using chosen = daisy::dc_motor::get_dc_speed_reply;
+    static constexpr auto first = &chosen::direction;
+    static constexpr auto second = &chosen::speed;
+    static constexpr std::size_t chunks[] = {0, 65536, 1460, 64, 7, 1};
+    static constexpr const char* clean_name = "trama, clean random mix";
+
+    [[gnu::always_inline]] static void each_envelope_word(const daisy::envelope& e, auto&& f) {
+        f(e.destination.octet);
+        f(e.source.octet);
     }
-    [[gnu::always_inline]] static std::uint64_t two_fields(const daisy::packet& p) {
-        using message = daisy::dc_motor::get_dc_speed_reply;
-        const auto v = view_as<message>(p);
-        if (!v) return 0;
-        return static_cast<std::uint64_t>(*v->get<&message::direction>()) + static_cast<std::uint64_t>(std::int64_t{*v->get<&message::speed>()});
-    }
+    /// The bare LEN walk, which only a clean stream allows.
+    static void add_limits(race& r, const shared_stream<daisy::format>& s, task t, bool clean);
+    /// The library, as it is timed.
+    static std::array<library_task<daisy::format>, std::size(all_tasks)> library();
+    /// The typical code and the good one.
+    static std::span<const by_hand_code<daisy::format>> by_hand();
     static void damage(std::uint8_t& b, dice& d) { b = static_cast<std::uint8_t>(b ^ 1U << d.below(8)); }
     /// Main controller to a board, or back.
     template <class M>
@@ -28,15 +34,8 @@ struct traits<daisy::format> {
     }
 };
 
-namespace daisy_code {
-using bytes_in = unit_span<daisy::format>;
-
-tally walk(bytes_in in);  ///< The bare LEN walk: length to length, nothing else.
-tally framing_machine(bytes_in in);
-tally framing_pointers(bytes_in in);
-tally typed_machine(bytes_in in);
-tally typed_pointers(bytes_in in);
-}  // namespace daisy_code
+/// The hand-written decoder's ordered sum over all fields, to judge encoders by.
+tally daisy_read_back(unit_span<daisy::format> packets);
 
 /// The requests that a controller sends over and over, with their answers: 26 packets.
 void append_poll_cycle(stream<daisy::format>& s, dice& d);

@@ -35,9 +35,9 @@ T get(const std::uint8_t* p) {
     return v;
 }
 
-/// Calls `f(body)`; false when there is no such message or its size is wrong.
+/// Calls `f(body)`; false when there is no such message or its size is wrong. The key is the family, then the command.
 template <class F>
-inline bool decode(unsigned family, unsigned command, const std::uint8_t* p, std::size_t n, F&& f) {
+inline bool decode(unsigned key, const std::uint8_t* p, std::size_t n, F&& f) {
     const auto nothing = [&] { return n == 0 && (f(empty{}), true); };
     const auto bytes1 = [&] { return n == 1 && (f(one_byte{p[0]}), true); };
     const auto bytes2 = [&] { return n == 2 && (f(two_bytes{p[0], p[1]}), true); };
@@ -47,7 +47,7 @@ inline bool decode(unsigned family, unsigned command, const std::uint8_t* p, std
     const auto i16 = [&] { return n == 2 && (f(count16{get<std::int16_t>(p)}), true); };
     const auto i32 = [&] { return n == 4 && (f(count32{get<std::int32_t>(p)}), true); };
     const auto speed = [&] { return n == 3 && (f(motor_speed{p[0], get<std::int16_t>(p + 1)}), true); };
-    switch (family << 8 | command) {
+    switch (key) {
         case 0x601: case 0x602: case 0x603: case 0x683: return nothing();
         case 0x681: case 0x682: f(description{p, n}); return true;
         case 0x604:
@@ -86,26 +86,76 @@ inline bool decode(unsigned family, unsigned command, const std::uint8_t* p, std
     }
 }
 
-/// The words that the bench sums over all fields; see `word_of`.
-inline std::uint64_t word(std::int64_t v) { return static_cast<std::uint64_t>(v); }
-inline std::uint64_t word(const std::uint8_t* p, std::size_t n) { return n == 0 ? 0 : n + p[0] + p[n - 1]; }
-struct summing {
-    std::uint64_t operator()(const empty&) const { return 0; }
-    std::uint64_t operator()(const one_byte& m) const { return m.a; }
-    std::uint64_t operator()(const two_bytes& m) const { return std::uint64_t{m.a} + m.b; }
-    std::uint64_t operator()(const three_bytes& m) const { return std::uint64_t{m.a} + m.b + m.c; }
-    std::uint64_t operator()(const five_bytes& m) const { return std::uint64_t{m.v[0]} + m.v[1] + m.v[2] + m.v[3] + m.v[4]; }
-    std::uint64_t operator()(const count16& m) const { return word(m.count); }
-    std::uint64_t operator()(const level& m) const { return m.value; }
-    std::uint64_t operator()(const count32& m) const { return word(m.count); }
-    std::uint64_t operator()(const motor_speed& m) const { return m.direction + word(m.speed); }
-    std::uint64_t operator()(const readings& m) const {
-        std::uint64_t sum = m.sensors;
-        for (std::size_t i = 0; i != m.count; ++i) sum += m.values[i];
-        return sum;
+/// Writes the bodies whose size is fixed, and tells the size. What they are made of needs no swapping of bytes here.
+template <class Body>
+std::size_t store(std::uint8_t* p, const Body& m) {
+    if constexpr (requires { m.speed; }) {
+        p[0] = m.direction;
+        std::memcpy(p + 1, &m.speed, sizeof m.speed);
+        return 3;
+    } else if constexpr (requires { m.text; } || requires { m.rejected; } || requires { m.values; } || std::is_empty_v<Body>) {
+        return 0;
+    } else {
+        std::memcpy(p, &m, sizeof m);
+        return sizeof m;
     }
-    std::uint64_t operator()(const description& m) const { return word(m.text, m.size); }
-    std::uint64_t operator()(const error& m) const { return m.code + word(m.rejected, m.size) + m.expected_crc; }
-};
+}
+
+/// Calls `f(word)` for the words that the bench sums over all fields; see `each_word`.
+inline std::uint64_t word(std::int64_t v) { return static_cast<std::uint64_t>(v); }
+template <bool Ordered>
+void words_of(const std::uint8_t* p, std::size_t n, auto&& f) {
+    if (!Ordered) return f(n == 0 ? 0 : n + p[0] + p[n - 1]);
+    f(n);
+    for (std::size_t i = 0; i != n; ++i) f(p[i]);
+}
+template <bool Ordered, class Body>
+void words_of(const Body& m, auto&& f) {
+    if constexpr (requires { m.rejected; }) { f(m.code); words_of<Ordered>(m.rejected, m.size, f); f(m.expected_crc); }
+    else if constexpr (requires { m.text; }) words_of<Ordered>(m.text, m.size, f);
+    else if constexpr (requires { m.values; }) { f(m.sensors); for (std::size_t i = 0; i != m.count; ++i) f(m.values[i]); }
+    else if constexpr (requires { m.speed; }) { f(m.direction); f(word(m.speed)); }
+    else if constexpr (requires { m.count; }) f(word(m.count));
+    else if constexpr (requires { m.value; }) f(m.value);
+    else if constexpr (requires { m.v; }) for (const std::uint8_t b : m.v) f(b);
+    else if constexpr (requires { m.c; }) { f(m.a); f(m.b); f(m.c); }
+    else if constexpr (requires { m.b; }) { f(m.a); f(m.b); }
+    else if constexpr (requires { m.a; }) f(m.a);
+}
+
+/// What the document allows, as comparisons by hand.
+inline bool valid(unsigned key, const one_byte& m) {
+    switch (key) {
+        case 0x140: return m.a <= 1;
+        case 0x242: case 0x246: case 0x248: return m.a <= 4;
+        case 0x2CA: return m.a <= 0x7F;
+        case 0x340: case 0x341: return m.a <= 5;
+        case 0x346: return m.a <= 3;
+        default: return m.a <= 0x3F;  // masks of sensors
+    }
+}
+inline bool valid(unsigned key, const two_bytes& m) {
+    if (key == 0x24B) return m.a <= 5 && m.b <= 3;
+    if (key == 0x347) return m.a <= 3 && m.b <= 1;
+    return m.a <= 4 && m.b <= 180;
+}
+inline bool valid(unsigned, const three_bytes& m) { return m.a <= 5 && m.b <= 3 && m.c <= 1; }
+inline bool valid(unsigned, const five_bytes& m) {
+    bool good = true;
+    for (const std::uint8_t b : m.v) good &= b <= 180;
+    return good;
+}
+inline bool valid(unsigned, const level& m) { return m.value <= 1023; }
+inline bool valid(unsigned, const motor_speed& m) { return m.direction <= 1; }
+inline bool valid(unsigned, const readings& m) {
+    unsigned bits = m.sensors;
+    for (std::size_t i = 0; i != m.count; ++i, bits &= bits - 1) {
+        const std::uint16_t most = (bits & 0x1F) != 0 ? 1023 : 30100;
+        if (m.values[i] > most && !(most != 1023 && m.values[i] == 0xFFFF)) return false;
+    }
+    return m.sensors <= 0x3F;
+}
+template <class Any>
+bool valid(unsigned, const Any&) { return true; }
 
 }  // namespace trama::bench::by_hand

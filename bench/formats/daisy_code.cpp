@@ -3,17 +3,20 @@
 
 #include "daisy_by_hand.hpp"
 
-namespace trama::bench::daisy_code {
+namespace trama::bench {
 
+namespace {
+
+using bytes_in = unit_span<daisy::format>;
+
+/// From length to length, nothing else.
 tally walk(bytes_in in) {
     const std::uint8_t* p = in.data();
     const std::uint8_t* const end = p + in.size();
-    tally t;
-    for (; p < end; p += *p + 1) ++t.messages;
-    return {t.messages, in.size(), 0};
+    std::uint64_t messages = 0;
+    for (; p < end; p += *p + 1) ++messages;
+    return {messages, static_cast<std::uint64_t>(p - in.data()), 0};
 }
-
-namespace {
 
 /// A byte-wise state machine as it is commonly written: a vector that grows, a callback for each packet.
 class machine {
@@ -37,8 +40,6 @@ private:
     std::uint8_t crc_ = 0;
 };
 
-std::uint64_t word_of_header(unsigned family, const std::uint8_t* p) { return (family << 8 | p[3]) + p[1] + 3U * p[2]; }
-
 /// Calls `f(packet)` for each good packet, pointer to pointer.
 template <class F>
 void each_packet(bytes_in in, F&& f) {
@@ -55,43 +56,75 @@ void each_packet(bytes_in in, F&& f) {
     }
 }
 
+/// What the header and `body` add to the account of `T`.
+template <task T, bool Ordered, class Body>
+void add(account<Ordered>& a, const std::uint8_t* header, unsigned key, const Body& body) {
+    ++a.messages;
+    a.words([&](auto&& f) {
+        f(header[1]);
+        f(header[2]);
+        f(key);
+        by_hand::words_of<Ordered>(body, f);
+    });
+    if constexpr (T == task::validated) a.judge(by_hand::valid(key, body));
+}
+unsigned key_of(const std::uint8_t* p) { return by_hand::family_of(p[1], p[2], p[3]) << 8 | p[3]; }
+
+/// Direction and speed of a motor, if this is the packet that tells them.
+template <bool Ordered>
+void add_chosen(account<Ordered>& a, const std::uint8_t* p, std::size_t size) {
+    ++a.messages;
+    if (size != 8 || key_of(p) != 0x1CB) return;
+    a.words([&](auto&& f) {
+        f(p[4]);
+        f(by_hand::word(by_hand::get<std::int16_t>(p + 5)));
+    });
+}
+
+struct state_machine {
+    template <task T, bool Ordered>
+    static tally run(bytes_in in) {
+        account<Ordered> a;
+        machine m([&](const std::vector<std::uint8_t>& packet) {
+            const std::uint8_t* p = packet.data();
+            if constexpr (T == task::framing) return a.packet(packet.size());
+            if constexpr (T == task::selected) return add_chosen(a, p, packet.size());
+            by_hand::body message;
+            const unsigned key = key_of(p);
+            if (!by_hand::decode(key, p + 4, packet.size() - 5, [&](const auto& body) { message = body; })) return;
+            std::visit([&](const auto& body) { add<T>(a, p, key, body); }, message);
+        });
+        for (const std::uint8_t b : in) m.feed(b);
+        return a.result();
+    }
+};
+struct pointers {
+    template <task T, bool Ordered>
+    static tally run(bytes_in in) {
+        account<Ordered> a;
+        each_packet(in, [&](const std::uint8_t* p, std::size_t size) {
+            if constexpr (T == task::framing) return a.packet(size);
+            if constexpr (T == task::selected) return add_chosen(a, p, size);
+            const unsigned key = key_of(p);
+            by_hand::decode(key, p + 4, size - 5, [&](const auto& body) { add<T>(a, p, key, body); });
+        });
+        return a.result();
+    }
+};
+
 }  // namespace
 
-tally framing_machine(bytes_in in) {
-    tally t;
-    machine m([&](const std::vector<std::uint8_t>& packet) { ++t.messages; t.sum += packet.size(); });
-    for (const std::uint8_t b : in) m.feed(b);
-    return t;
-}
-tally framing_pointers(bytes_in in) {
-    tally t;
-    each_packet(in, [&](const std::uint8_t*, std::size_t size) { ++t.messages; t.sum += size; });
-    return t;
+void traits<daisy::format>::add_limits(race& r, const shared_stream<daisy::format>& s, task, bool clean) {
+    if (!clean) return;
+    r.contenders.push_back({"LEN walk", "whole", role::limit, s->data.size(), s->made_of.messages, [s] { return walk(s->data); }});
+    r.answers.push_back({"where the packets end", "LEN walk", "whole", [s] { return walk(s->data); }});
+    r.answers.push_back({"where the packets end", "generator", {}, [s] { return tally{s->made_of.messages, s->data.size(), 0}; }});
 }
 
-tally typed_machine(bytes_in in) {
-    tally t;
-    machine m([&](const std::vector<std::uint8_t>& packet) {
-        const std::uint8_t* p = packet.data();
-        const unsigned family = by_hand::family_of(p[1], p[2], p[3]);
-        by_hand::body message;
-        if (!by_hand::decode(family, p[3], p + 4, packet.size() - 5, [&](const auto& body) { message = body; })) return;
-        ++t.messages;
-        t.sum += word_of_header(family, p) + std::visit(by_hand::summing{}, message);
-    });
-    for (const std::uint8_t b : in) m.feed(b);
-    return t;
+std::span<const by_hand_code<daisy::format>> traits<daisy::format>::by_hand() {
+    static constexpr by_hand_code<daisy::format> all[] = {code_of<daisy::format, state_machine>("state machine"), code_of<daisy::format, pointers>("pointers")};
+    return all;
 }
-tally typed_pointers(bytes_in in) {
-    tally t;
-    each_packet(in, [&](const std::uint8_t* p, std::size_t size) {
-        const unsigned family = by_hand::family_of(p[1], p[2], p[3]);
-        std::uint64_t sum = 0;
-        if (!by_hand::decode(family, p[3], p + 4, size - 5, [&](const auto& body) { sum = by_hand::summing{}(body); })) return;
-        ++t.messages;
-        t.sum += sum + word_of_header(family, p);
-    });
-    return t;
-}
+tally daisy_read_back(bytes_in packets) { return pointers::run<task::typed, true>(packets); }
 
-}  // namespace trama::bench::daisy_code
+}  // namespace trama::bench

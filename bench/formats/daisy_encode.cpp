@@ -1,7 +1,6 @@
 // What a controller sends in one turn: eight commands whose values change. And any of all messages, at random.
-#include <variant>
-
 #include "daisy.hpp"
+#include "daisy_by_hand.hpp"
 #include "encode.hpp"
 
 namespace trama::bench {
@@ -18,7 +17,7 @@ struct turn {
     std::uint16_t level;
 };
 
-std::shared_ptr<const std::vector<turn>> turns(std::size_t bytes) {
+shared_inputs<turn> turns(std::size_t bytes) {
     auto all = std::make_shared<std::vector<turn>>(bytes / 70);
     dice d(7);
     for (turn& t : *all) {
@@ -81,19 +80,24 @@ std::size_t by_vectors(std::span<const turn> in, std::span<std::uint8_t> out) {
     return at;
 }
 
+/// The header and the CRC around `n` bytes of data that stand in place; where the next packet begins.
+std::uint8_t* finish(std::uint8_t* p, std::uint8_t to, std::uint8_t from, std::uint8_t command, std::uint8_t n) {
+    p[0] = static_cast<std::uint8_t>(n + 4);
+    p[1] = to;
+    p[2] = from;
+    p[3] = command;
+    std::uint8_t crc = 0;
+    for (int i = 0; i != n + 4; ++i) crc = static_cast<std::uint8_t>(crc ^ p[i]);
+    p[n + 4] = crc;
+    return p + n + 5;
+}
+
 /// A pointer, memcpy for the values and a loop for the CRC.
 std::size_t by_pointer(std::span<const turn> in, std::span<std::uint8_t> out) {
     std::uint8_t* p = out.data();
     const auto put = [&](std::uint8_t to, std::uint8_t command, const void* data, std::uint8_t n) {
-        p[0] = static_cast<std::uint8_t>(n + 4);
-        p[1] = to;
-        p[2] = 0;
-        p[3] = command;
         std::memcpy(p + 4, data, n);
-        std::uint8_t crc = 0;
-        for (int i = 0; i != n + 4; ++i) crc = static_cast<std::uint8_t>(crc ^ p[i]);
-        p[n + 4] = crc;
-        p += n + 5;
+        p = finish(p, to, 0, command, n);
     };
     for (const turn& t : in) {
         for (unsigned id = 0; id != 3; ++id) {
@@ -111,54 +115,52 @@ std::size_t by_pointer(std::span<const turn> in, std::span<std::uint8_t> out) {
     return static_cast<std::size_t>(p - out.data());
 }
 
-template <class List>
-struct variant_of;
-template <class... M>
-struct variant_of<message_list<M...>> {
-    using type = std::variant<M...>;
+/// Any message as hand-written code has it.
+struct any_body {
+    std::uint8_t destination, source, command;
+    by_hand::body body;
 };
-struct any_message {
-    daisy::envelope addresses;
-    variant_of<daisy::messages>::type message;
-};
-
-std::size_t any_by_library(std::span<const any_message> in, std::span<std::uint8_t> out) {
-    std::size_t at = 0;
-    for (const any_message& one : in)
-        std::visit([&](const auto& m) { if (const auto size = daisy::encode(one.addresses, m, out.subspan(at))) at += *size; }, one.message);
-    return at;
+std::size_t any_by_pointer(std::span<const any_body> in, std::span<std::uint8_t> out) {
+    std::uint8_t* p = out.data();
+    for (const any_body& one : in) {
+        const std::size_t n = std::visit([&](const auto& m) { return by_hand::store(p + 4, m); }, one.body);
+        p = finish(p, one.destination, one.source, one.command, static_cast<std::uint8_t>(n));
+    }
+    return static_cast<std::size_t>(p - out.data());
+}
+shared_inputs<any_body> bodies_of(const std::vector<any_message<F>>& all) {
+    auto bodies = std::make_shared<std::vector<any_body>>();
+    std::array<std::uint8_t, F::max_units> out;
+    for (const auto& one : all) {
+        const std::size_t size = encode_any<F>({&one, 1}, out);
+        const unsigned key = by_hand::family_of(out[1], out[2], out[3]) << 8 | out[3];
+        by_hand::decode(key, out.data() + 4, size - 5, [&](const auto& body) { bodies->push_back({out[1], out[2], out[3], body}); });
+    }
+    return bodies;
 }
 
-std::shared_ptr<const std::vector<any_message>> any_messages(std::size_t bytes) {
-    auto all = std::make_shared<std::vector<any_message>>();
-    dice d(8);
-    arena memory;
-    while (all->size() < bytes / 8)
-        daisy::messages::at(d.below(daisy::messages::count), [&]<class M>() {
-            if constexpr (M::layout.fixed) all->push_back({traits<F>::addresses<M>(d), random_message<M>(d, memory)});
-        });
-    return all;
+void race_commands(race& r, std::size_t bytes) {
+    const auto inputs = turns(bytes);
+    encoding<std::uint8_t> e(r, inputs->size() * 8, inputs->size() * most_of_turn);
+    e.add("trama", role::library, inputs, by_library);
+    e.add("vectors", role::baseline, inputs, by_vectors);
+    e.add("pointers", role::baseline, inputs, by_pointer);
+}
+void race_any(race& r, std::size_t bytes) {
+    const auto inputs = any_messages<F>(bytes / 8);
+    encoding<std::uint8_t> e(r, inputs->size(), inputs->size() * 16);
+    e.add("trama", role::library, inputs, encode_any<F>);
+    e.add("pointers", role::baseline, bodies_of(*inputs), any_by_pointer);
+    e.prove_by_reading(daisy_read_back, fields_of(*inputs));
 }
 
 }  // namespace
 
 void add_daisy_encode(std::vector<entry>& all, const scale& sizes) {
     for (const std::size_t bytes : {sizes.large, sizes.small}) {
-        race r{"daisy", "commands", size_name(bytes), "encode", {}};
-        all.push_back({r.id(), [r, bytes]() mutable {
-            encoding<turn, std::uint8_t> e(r, turns(bytes), 8, most_of_turn);
-            e.add("trama", role::library, by_library);
-            e.add("vectors", role::baseline, by_vectors);
-            e.add("pointers", role::baseline, by_pointer);
-            return r;
-        }});
+        add_encoding(all, {"daisy", "commands", size_name(bytes), "encode"}, race_commands, bytes);
+        add_encoding(all, {"daisy", "random mix", size_name(bytes), "encode"}, race_any, bytes);
     }
-    race any{"daisy", "random mix", size_name(sizes.large), "encode", {}};
-    all.push_back({any.id(), [any, bytes = sizes.large]() mutable {
-        encoding<any_message, std::uint8_t> e(any, any_messages(bytes), 1, daisy::max_packet / 8);
-        e.add("trama", role::library, any_by_library);
-        return any;
-    }});
 }
 
 }  // namespace trama::bench

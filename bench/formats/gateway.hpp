@@ -7,29 +7,26 @@ namespace trama::bench {
 
 template <>
 struct traits<gateway::format> {
-    [[gnu::always_inline]] static std::uint64_t word_of_envelope(const gateway::packet&) { return 0; }
-    /// Which cart, and where it goes next.
-    [[gnu::always_inline]] static std::uint64_t two_fields(const gateway::packet& p) {
-        using gateway::cart_state;
-        const auto v = view_as<cart_state>(p);
-        if (!v) return 0;
-        return v->get<&cart_state::cart_id>().value_or(0) + std::uint64_t{v->get<&cart_state::next_node>().value_or(0)};
-    }
+    using chosen = gateway::cart_state;  ///< Which cart, and where it goes next.
+    static constexpr auto first = &chosen::cart_id;
+    static constexpr auto second = &chosen::next_node;
+    static constexpr std::size_t chunks[] = {0, 65536, 1460, 64, 7, 1};
+    static constexpr const char* clean_name = "trama, clean records";
+
+    [[gnu::always_inline]] static void each_envelope_word(gateway::envelope, auto&&) {}
+    /// A pass that looks for forbidden bytes.
+    static void add_limits(race& r, const shared_stream<gateway::format>& s, task t, bool clean);
+    /// The library, as it is timed.
+    static std::array<library_task<gateway::format>, std::size(all_tasks)> library();
+    /// The typical code and the good one.
+    static std::span<const by_hand_code<gateway::format>> by_hand();
     static void damage(std::uint8_t& b, dice& d) { b = static_cast<std::uint8_t>(b ^ 1U << d.below(8)); }
     template <class M>
     static gateway::envelope addresses(dice&) { return {}; }
 };
 
-namespace gateway_code {
-using bytes_in = unit_span<gateway::format>;
-
-tally framing_strings(bytes_in in);   ///< A byte-wise state machine that fills a std::string.
-tally framing_pointers(bytes_in in);  ///< memchr for the delimiters, a loop over the characters.
-template <bool Validate>
-tally typed_strings(bytes_in in);     ///< Every field by substr, trim and stoull.
-template <bool Validate>
-tally typed_pointers(bytes_in in);    ///< Every field by trimming in place and from_chars.
-}  // namespace gateway_code
+/// The traffic of a client and its gateway, both ways, as one would record it.
+stream<gateway::format> gateway_session(std::size_t bytes);
 
 void add_gateway(std::vector<entry>& all, const scale& sizes);
 void add_gateway_encode(std::vector<entry>& all, const scale& sizes);

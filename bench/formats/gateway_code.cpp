@@ -1,87 +1,14 @@
 // The hand-written code that gateway is compared with.
-#include <charconv>
-#include <stdexcept>
-
 #include "gateway.hpp"
-#include "gateway_by_hand.hpp"
+#include "gateway_readers_by_hand.hpp"
+#include "gateway_words_by_hand.hpp"
+#include "limits.hpp"
 
-namespace trama::bench::gateway_code {
+namespace trama::bench {
 
 namespace {
 
-std::string trimmed(const std::string& s) {
-    const auto from = s.find_first_not_of(' ');
-    return from == std::string::npos ? std::string() : s.substr(from, s.find_last_not_of(' ') - from + 1);
-}
-
-/// Fields by substr, trim and stoull.
-class string_reader {
-public:
-    explicit string_reader(const std::string& payload) : payload_(payload) {}
-
-    std::int64_t number(std::size_t columns) {
-        const std::string digits = trimmed(take(columns));
-        if (digits.empty()) return 0;
-        std::size_t used = 0;
-        const std::int64_t v = std::stoll(digits, &used);
-        if (used != digits.size()) throw std::invalid_argument(digits);
-        return v;
-    }
-    std::int64_t tenths(std::size_t columns) {
-        const std::string digits = trimmed(take(columns));
-        return digits.empty() ? 0 : static_cast<std::int64_t>(std::stod(digits) * 10 + 0.5);
-    }
-    template <std::size_t N>
-    void text(trama::text<N>& t) { t = std::string_view(take(N)); }
-
-private:
-    std::string take(std::size_t n) {
-        at_ += n;
-        return payload_.substr(at_ - n, n);
-    }
-    const std::string& payload_;
-    std::size_t at_ = 0;
-};
-
-/// Fields by trimming in place and from_chars.
-class pointer_reader {
-public:
-    explicit pointer_reader(const char* p) : p_(p) {}
-    bool good() const { return good_; }
-
-    std::int64_t number(std::size_t columns) {
-        const char *from = p_, *to = p_ += columns;
-        while (from != to && *from == ' ') ++from;
-        while (from != to && to[-1] == ' ') --to;
-        std::int64_t v = 0;
-        if (from == to) return 0;
-        const auto end = std::from_chars(from, to, v);
-        good_ &= end.ec == std::errc{} && end.ptr == to;
-        return v;
-    }
-    std::int64_t tenths(std::size_t columns) {
-        const char *from = p_, *to = p_ += columns;
-        while (from != to && *from == ' ') ++from;
-        while (from != to && to[-1] == ' ') --to;
-        std::int64_t whole = 0, tenth = 0;
-        if (from == to) return 0;
-        const auto end = std::from_chars(from, to, whole);
-        if (end.ptr != to) {
-            good_ &= *end.ptr == '.' && end.ptr + 2 == to;
-            tenth = end.ptr[1] - '0';
-        }
-        return whole * 10 + tenth;
-    }
-    template <std::size_t N>
-    void text(trama::text<N>& t) {
-        std::memcpy(t.columns.data(), p_, N);
-        p_ += N;
-    }
-
-private:
-    const char* p_;
-    bool good_ = true;
-};
+using bytes_in = unit_span<gateway::format>;
 
 template <class M>
 constexpr std::size_t payload_of = 3 + M::layout.size;
@@ -123,75 +50,76 @@ void each_record(bytes_in in, F&& f) {
     }
 }
 
-template <bool Validate, class M>
-void count(tally& t, const M& m) {
-    if constexpr (Validate) t.errors += by_hand::valid(m) ? 0 : 1;
-    t.sum += by_hand::word(m) + static_cast<std::uint64_t>(M::key);
-    ++t.messages;
+/// What a record of kind `M` with `n` characters adds to the account of `T`; false if it is none.
+template <task T, bool Ordered, class M>
+bool add(account<Ordered>& a, auto& reader, std::size_t n) {
+    if (n != payload_of<M>) return false;
+    if constexpr (T == task::framing) return a.packet(n + 2), true;
+    M m;
+    if constexpr (T == task::selected) {
+        // The columns of the two fields; there are no others before them in a cart_state.
+        ++a.messages;
+        if constexpr (std::is_same_v<M, gateway::cart_state>) {
+            reader.skip(5);
+            const std::int64_t cart = reader.number(5);
+            reader.skip(4 + 1 + 5 + 3 + 5);
+            const std::int64_t next = reader.number(5);
+            a.words([&](auto&& f) { f(static_cast<std::uint64_t>(cart)); f(static_cast<std::uint64_t>(next)); });
+        }
+    } else {
+        by_hand::read(reader, m);
+        if (!reader.good()) return false;
+        ++a.messages;
+        a.words([&](auto&& f) {
+            f(static_cast<std::uint64_t>(M::key));
+            by_hand::words_of<Ordered>(m, f);
+        });
+        if constexpr (T == task::validated) a.judge(by_hand::valid(m));
+    }
+    return true;
 }
+/// A record of any kind.
+template <task T, bool Ordered>
+void add_any(account<Ordered>& a, auto& reader, std::size_t n) {
+    const auto type = static_cast<std::uint64_t>(reader.number(3));
+    if (!by_hand::each_type(type, [&]<class M>() { return add<T, Ordered, M>(a, reader, n); })) ++a.errors;
+}
+
+struct strings {
+    template <task T, bool Ordered>
+    static tally run(bytes_in in) {
+        account<Ordered> a;
+        each_string(in, [&](const std::string& record) {
+            by_hand::string_reader r(record);
+            add_any<T>(a, r, record.size());
+        });
+        return a.result();
+    }
+};
+struct pointers {
+    template <task T, bool Ordered>
+    static tally run(bytes_in in) {
+        account<Ordered> a;
+        each_record(in, [&](const char* p, std::size_t n) {
+            by_hand::pointer_reader r(p);
+            add_any<T>(a, r, n);
+        });
+        return a.result();
+    }
+};
 
 }  // namespace
 
-tally framing_strings(bytes_in in) {
-    tally t;
-    each_string(in, [&](const std::string& record) {
-        const auto type = std::stoul(record.substr(0, 3));
-        if (!by_hand::each_type(type, [&]<class M>() { return record.size() == payload_of<M>; })) { ++t.errors; return; }
-        ++t.messages;
-        t.sum += record.size() + 2;
-    });
-    return t;
-}
-tally framing_pointers(bytes_in in) {
-    tally t;
-    each_record(in, [&](const char* p, std::size_t n) {
-        const auto type = static_cast<std::uint64_t>(pointer_reader(p).number(3));
-        if (!by_hand::each_type(type, [&]<class M>() { return n == payload_of<M>; })) { ++t.errors; return; }
-        ++t.messages;
-        t.sum += n + 2;
-    });
-    return t;
+void traits<gateway::format>::add_limits(race& r, const shared_stream<gateway::format>& s, task, bool clean) {
+    r.contenders.push_back({"validity pass", "whole", role::limit, s->data.size(), s->made_of.messages, [s] { return check_printable(s->data); }});
+    if (!clean) return;
+    r.answers.push_back({"all bytes allowed", "validity pass", "whole", [s] { return check_printable(s->data); }});
+    r.answers.push_back({"all bytes allowed", "generator", {}, [] { return tally{0, 1, 0}; }});
 }
 
-template <bool Validate>
-tally typed_strings(bytes_in in) {
-    tally t;
-    each_string(in, [&](const std::string& record) {
-        string_reader r(record);
-        const auto type = static_cast<std::uint64_t>(r.number(3));
-        const bool known = by_hand::each_type(type, [&]<class M>() {
-            if (record.size() != payload_of<M>) return false;
-            M m;
-            by_hand::read(r, m);
-            count<Validate>(t, m);
-            return true;
-        });
-        t.errors += known ? 0 : 1;
-    });
-    return t;
-}
-template <bool Validate>
-tally typed_pointers(bytes_in in) {
-    tally t;
-    each_record(in, [&](const char* p, std::size_t n) {
-        pointer_reader r(p);
-        const auto type = static_cast<std::uint64_t>(r.number(3));
-        const bool known = by_hand::each_type(type, [&]<class M>() {
-            if (n != payload_of<M>) return false;
-            M m;
-            by_hand::read(r, m);
-            if (!r.good()) return false;
-            count<Validate>(t, m);
-            return true;
-        });
-        t.errors += known ? 0 : 1;
-    });
-    return t;
+std::span<const by_hand_code<gateway::format>> traits<gateway::format>::by_hand() {
+    static constexpr by_hand_code<gateway::format> all[] = {code_of<gateway::format, strings>("substr and stoull"), code_of<gateway::format, pointers>("trim and from_chars")};
+    return all;
 }
 
-template tally typed_strings<false>(bytes_in);
-template tally typed_strings<true>(bytes_in);
-template tally typed_pointers<false>(bytes_in);
-template tally typed_pointers<true>(bytes_in);
-
-}  // namespace trama::bench::gateway_code
+}  // namespace trama::bench

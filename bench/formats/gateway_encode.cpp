@@ -103,7 +103,7 @@ std::size_t by_pointers(std::span<const cart_state> in, std::span<std::uint8_t> 
     return static_cast<std::size_t>(w.p_ - begin);
 }
 
-std::shared_ptr<const std::vector<cart_state>> states(std::size_t bytes) {
+shared_inputs<cart_state> states(std::size_t bytes) {
     auto all = std::make_shared<std::vector<cart_state>>(bytes / gateway::max_record);
     dice d(34);
     arena memory;
@@ -111,19 +111,18 @@ std::shared_ptr<const std::vector<cart_state>> states(std::size_t bytes) {
     return all;
 }
 
+void race_states(race& r, std::size_t bytes) {
+    const auto inputs = states(bytes);
+    encoding<std::uint8_t> e(r, inputs->size(), inputs->size() * gateway::max_record);
+    e.add("trama", role::library, inputs, by_library);
+    e.add("to_string", role::baseline, inputs, by_strings);
+    e.add("to_chars", role::baseline, inputs, by_pointers);
+}
+
 }  // namespace
 
 void add_gateway_encode(std::vector<entry>& all, const scale& sizes) {
-    for (const std::size_t bytes : {sizes.large, sizes.small}) {
-        race r{"gateway", "cart_state", size_name(bytes), "encode", {}};
-        all.push_back({r.id(), [r, bytes]() mutable {
-            encoding<cart_state, std::uint8_t> e(r, states(bytes), 1, gateway::max_record);
-            e.add("trama", role::library, by_library);
-            e.add("to_string", role::baseline, by_strings);
-            e.add("to_chars", role::baseline, by_pointers);
-            return r;
-        }});
-    }
+    for (const std::size_t bytes : {sizes.large, sizes.small}) add_encoding(all, {"gateway", "cart_state", size_name(bytes), "encode"}, race_states, bytes);
 }
 
 }  // namespace trama::bench

@@ -1,0 +1,103 @@
+// Encoding frames: single ones that set actuators, and all messages at random, of one to three frames each.
+#include "can.hpp"
+#include "can_by_hand.hpp"
+#include "encode.hpp"
+
+namespace trama::bench {
+
+namespace {
+
+using F = can::format;
+using setpoint = can::set_actuator;
+
+std::size_t by_library(std::span<const setpoint> in, std::span<can::frame> out) {
+    std::size_t at = 0;
+    for (const setpoint& m : in)
+        if (const auto n = can::encode({can::master_1}, m, out.subspan(at))) at += *n;
+    return at;
+}
+/// As one writes it first: a vector for the data, a fresh frame, a copy.
+std::size_t by_vectors(std::span<const setpoint> in, std::span<can::frame> out) {
+    std::size_t at = 0;
+    for (const setpoint& m : in) {
+        const std::vector<std::uint8_t> data{m.node, m.message_id, 'M', m.actuator, m.state};
+        can::frame f{};
+        f.id = can::master_1;
+        f.length = static_cast<std::uint8_t>(data.size());
+        std::copy(data.begin(), data.end(), f.data.begin());
+        out[at++] = f;
+    }
+    return at;
+}
+std::size_t by_pointer(std::span<const setpoint> in, std::span<can::frame> out) {
+    can::frame* f = out.data();
+    for (const setpoint& m : in) *f++ = {can::master_1, 5, {m.node, m.message_id, 'M', m.actuator, m.state}};
+    return in.size();
+}
+
+shared_inputs<setpoint> setpoints(std::size_t count) {
+    auto all = std::make_shared<std::vector<setpoint>>(count);
+    dice d(22);
+    arena memory;
+    for (auto& m : *all) m = random_message<setpoint>(d, memory);
+    return all;
+}
+
+/// Cuts the bytes of a message into frames of eight; only the last of any message is shorter.
+std::size_t any_by_vectors(std::span<const any_message<F>> in, std::span<can::frame> out) {
+    std::size_t at = 0;
+    for (const auto& one : in) {
+        const std::vector<std::uint8_t> data = std::visit([](const auto& m) {
+            std::uint8_t bytes[24];
+            return std::vector<std::uint8_t>(bytes, bytes + by_hand::store(bytes, m));
+        }, one.message);
+        for (std::size_t from = 0; from < data.size(); from += 8) {
+            can::frame f{};
+            f.id = one.addresses.id;
+            f.length = static_cast<std::uint8_t>(std::min<std::size_t>(8, data.size() - from));
+            std::copy_n(data.begin() + static_cast<std::ptrdiff_t>(from), f.length, f.data.begin());
+            out[at++] = f;
+        }
+    }
+    return at;
+}
+/// The same by way of the stack, eight bytes at a time.
+std::size_t any_by_pointer(std::span<const any_message<F>> in, std::span<can::frame> out) {
+    can::frame* f = out.data();
+    for (const auto& one : in) {
+        std::uint8_t bytes[24] = {};
+        const std::size_t size = std::visit([&](const auto& m) { return by_hand::store(bytes, m); }, one.message);
+        for (std::size_t from = 0; from < size; from += 8, ++f) {
+            *f = {one.addresses.id, static_cast<std::uint8_t>(std::min<std::size_t>(8, size - from)), {}};
+            std::memcpy(f->data.data(), bytes + from, 8);
+        }
+    }
+    return static_cast<std::size_t>(f - out.data());
+}
+
+void race_setpoints(race& r, std::size_t bytes) {
+    const auto inputs = setpoints(bytes / sizeof(can::frame));
+    encoding<can::frame> e(r, inputs->size(), inputs->size());
+    e.add("trama", role::library, inputs, by_library);
+    e.add("vectors", role::baseline, inputs, by_vectors);
+    e.add("pointers", role::baseline, inputs, by_pointer);
+}
+void race_any(race& r, std::size_t bytes) {
+    const auto inputs = any_messages<F>(bytes / sizeof(can::frame) / 2);
+    encoding<can::frame> e(r, inputs->size(), inputs->size() * F::max_units);
+    e.add("trama", role::library, inputs, encode_any<F>);
+    e.add("vectors", role::baseline, inputs, any_by_vectors);
+    e.add("pointers", role::baseline, inputs, any_by_pointer);
+    e.prove_by_reading(can_read_back, fields_of(*inputs));
+}
+
+}  // namespace
+
+void add_can_encode(std::vector<entry>& all, const scale& sizes) {
+    for (const std::size_t bytes : {sizes.large, sizes.small}) {
+        add_encoding(all, {"can", "setpoints", size_name(bytes), "encode"}, race_setpoints, bytes);
+        add_encoding(all, {"can", "random mix", size_name(bytes), "encode"}, race_any, bytes);
+    }
+}
+
+}  // namespace trama::bench

@@ -1,0 +1,8 @@
+// The library at work on daisy, as it is timed.
+#include "daisy.hpp"
+
+namespace trama::bench {
+
+std::array<library_task<daisy::format>, std::size(all_tasks)> traits<daisy::format>::library() { return library_tasks<daisy::format, false>(); }
+
+}  // namespace trama::bench
