@@ -103,7 +103,7 @@ template <class F>
 tally fields_of(const std::vector<any_message<F>>& all) {
     ordered_sum sum;
     for (const auto& one : all)
-        std::visit([&](const auto& m) { each_message_word<F, true>(one.addresses, m, [&](std::uint64_t word) { sum.add(word); }); }, one.message);
+        std::visit([&](const auto& m) { each_message_word<F>(one.addresses, m, [&](std::uint64_t word) { sum.add(word); }); }, one.message);
     return {all.size(), sum.value, 0};
 }
 

@@ -20,11 +20,11 @@ template <class F>
 using unit_span = std::span<const typename F::unit>;
 
 /// Calls `f(word)` for the envelope, the key and the fields of a message.
-template <class F, bool Ordered, class M>
-[[gnu::always_inline]] inline void each_message_word(const typename F::envelope& e, const M& m, auto&& f) {
+template <class F, class M>
+void each_message_word(const typename F::envelope& e, const M& m, auto&& f) {
     traits<F>::each_envelope_word(e, f);
     f(static_cast<std::uint64_t>(M::key));
-    each_word<Ordered>(m, f);
+    each_word<true>(m, f);
 }
 /// Calls `f(word)` for the two fields that are read by view, if this is the message that has them.
 template <class F, class M>
@@ -67,8 +67,16 @@ tally typed(unit_span<F> in, std::size_t chunk) {
     drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (!event) return a.error(event.length, static_cast<std::uint64_t>(event.code));
         const error e = visit<F>(event.packet, [&]<class M>(const M& m) __attribute__((always_inline)) {
-            a.words([&](auto&& f) __attribute__((always_inline)) { each_message_word<F, Ordered>(event.packet.envelope(), m, f); });
-            if constexpr (Validate) a.judge(is_valid(m));
+            bool good = true;
+            if constexpr (Validate) a.count(good = is_valid(m));
+            if constexpr (Ordered) {
+                each_message_word<F>(event.packet.envelope(), m, [&](std::uint64_t word) { a.sum.add(word); });
+                a.mark(good);
+            } else {
+                std::uint64_t head = 0;
+                traits<F>::each_envelope_word(event.packet.envelope(), [&](std::uint64_t word) __attribute__((always_inline)) { head += word; });
+                a.sum.value += word_of(m) + static_cast<std::uint64_t>(M::key) + head;
+            }
         });
         ++a.messages;
         a.errors += e ? 1 : 0;

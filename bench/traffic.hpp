@@ -14,7 +14,7 @@ void append(stream<F>& s, const typename F::envelope& e, const M& m) {
     s.data.insert(s.data.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(*size));
     ++s.made_of.messages;
     s.made_of.lengths.add(*size);
-    each_message_word<F, true>(e, m, [&](std::uint64_t word) { s.made_of.fields.add(word); });
+    each_message_word<F>(e, m, [&](std::uint64_t word) { s.made_of.fields.add(word); });
     each_chosen_word<F>(m, [&](std::uint64_t word) { s.made_of.chosen.add(word); });
 }
 

@@ -37,37 +37,48 @@ bool finish(const std::uint8_t* p, std::size_t n, F&& f) {
     }
 }
 
-/// Writes the bytes of a message's frames and tells how many there are.
-inline std::size_t store(std::uint8_t* p, const can::define_function& m) {
-    const auto f = static_cast<unsigned>(m.function);
-    const auto high = [](unsigned v) { return static_cast<std::uint8_t>(v / 100); };
-    const auto low = [](unsigned v) { return static_cast<std::uint8_t>(v % 100); };
-    const std::uint8_t bytes[24] = {m.node, m.message_id, 'F', static_cast<std::uint8_t>(f >> 8), static_cast<std::uint8_t>(f),
-                                    high(m.start.year), low(m.start.year), m.start.month, m.start.day, high(m.end.year), low(m.end.year), m.end.month, m.end.day,
-                                    m.start.hour, m.start.minute, m.start.second, m.end.hour, m.end.minute, m.end.second,
-                                    m.sensor_count, m.sensors[0], m.sensors[1], m.sensors[2], m.sensors[3]};
-    std::memcpy(p, bytes, sizeof bytes);
-    return sizeof bytes;
-}
-inline std::size_t store(std::uint8_t* p, const can::sensor_readings& m) {
-    p[0] = m.node; p[1] = m.message_id; p[2] = 'R'; p[3] = m.sensor_count;
-    for (std::size_t i = 0; i != 4; ++i) { p[4 + 2 * i] = m.readings[i].sensor; p[5 + 2 * i] = m.readings[i].value; }
-    return 12;
-}
-inline std::size_t store(std::uint8_t* p, const can::set_clock& m) {
-    p[0] = m.node; p[1] = m.message_id; p[2] = 'C';
-    p[3] = static_cast<std::uint8_t>(m.year / 100); p[4] = static_cast<std::uint8_t>(m.year % 100);
-    p[5] = m.month; p[6] = m.day; p[7] = m.hour; p[8] = m.minute; p[9] = m.second;
-    return 10;
-}
+/// Bytes of a message, all its frames together.
 template <class M>
-std::size_t store(std::uint8_t* p, const M& m) {
-    p[0] = m.node; p[1] = m.message_id;
-    p[2] = static_cast<std::uint8_t>(std::is_same_v<M, can::read_sensors> ? 'R' : std::is_same_v<M, can::set_actuator> ? 'M' : 'A');
-    std::size_t n = 3;
-    if constexpr (requires { m.actuator; }) p[n++] = m.actuator;
-    if constexpr (requires { m.state; }) p[n++] = m.state;
-    return n;
+constexpr std::size_t size_of() {
+    if (std::is_same_v<M, can::define_function>) return 24;
+    if (std::is_same_v<M, can::sensor_readings>) return 12;
+    if (std::is_same_v<M, can::set_clock>) return 10;
+    return std::is_same_v<M, can::read_sensors> ? 3 : std::is_same_v<M, can::read_actuator> ? 4 : 5;
+}
+/// Writes the bytes of a message; `at(i)` is where the i-th goes.
+template <class M>
+void store(auto&& at, const M& m) {
+    const auto put_year = [&](std::size_t i, unsigned year) {
+        at(i) = static_cast<std::uint8_t>(year / 100);
+        at(i + 1) = static_cast<std::uint8_t>(year % 100);
+    };
+    const auto put_moment = [&](std::size_t date, std::size_t time, const can::moment& t) {
+        put_year(date, t.year);
+        at(date + 2) = t.month; at(date + 3) = t.day; at(time) = t.hour; at(time + 1) = t.minute; at(time + 2) = t.second;
+    };
+    at(0) = m.node;
+    at(1) = m.message_id;
+    if constexpr (std::is_same_v<M, can::define_function>) {
+        at(2) = 'F';
+        at(3) = static_cast<std::uint8_t>(static_cast<unsigned>(m.function) >> 8);
+        at(4) = static_cast<std::uint8_t>(m.function);
+        put_moment(5, 13, m.start);
+        put_moment(9, 16, m.end);
+        at(19) = m.sensor_count;
+        for (std::size_t i = 0; i != 4; ++i) at(20 + i) = m.sensors[i];
+    } else if constexpr (std::is_same_v<M, can::sensor_readings>) {
+        at(2) = 'R';
+        at(3) = m.sensor_count;
+        for (std::size_t i = 0; i != 4; ++i) { at(4 + 2 * i) = m.readings[i].sensor; at(5 + 2 * i) = m.readings[i].value; }
+    } else if constexpr (std::is_same_v<M, can::set_clock>) {
+        at(2) = 'C';
+        put_year(3, m.year);
+        at(5) = m.month; at(6) = m.day; at(7) = m.hour; at(8) = m.minute; at(9) = m.second;
+    } else {
+        at(2) = static_cast<std::uint8_t>(std::is_same_v<M, can::read_sensors> ? 'R' : std::is_same_v<M, can::set_actuator> ? 'M' : 'A');
+        if constexpr (requires { m.actuator; }) at(3) = m.actuator;
+        if constexpr (requires { m.state; }) at(4) = m.state;
+    }
 }
 
 /// Calls `f(word)` for the words that the bench sums over all fields; see `each_word`.

@@ -45,7 +45,7 @@ struct maps {
         for (const can::frame& f : in) {
             part& p = parts[f.id];
             p.bytes.insert(p.bytes.end(), f.data.begin(), f.data.begin() + f.length);
-            ++p.frames;
+            if constexpr (T == task::framing) ++p.frames;
             any message;
             if (!by_hand::finish(p.bytes.data(), p.bytes.size(), [&](const auto& m) { message = m; })) continue;
             std::visit([&](const auto& m) { add<T>(a, f.id, p.frames, m); }, message);
@@ -68,7 +68,7 @@ struct slots {
             if (s.size + f.length > sizeof s.bytes || f.length > 8) { s.size = s.frames = 0; continue; }
             std::memcpy(s.bytes + s.size, f.data.data(), f.length);
             s.size += f.length;
-            ++s.frames;
+            if constexpr (T == task::framing) ++s.frames;
             if (!by_hand::finish(s.bytes, s.size, [&](const auto& m) { add<T>(a, f.id, s.frames, m); })) continue;
             s.size = s.frames = 0;
         }

@@ -29,9 +29,23 @@ std::size_t by_vectors(std::span<const setpoint> in, std::span<can::frame> out) 
     }
     return at;
 }
+/// A frame in place, without data.
+void begin(can::frame& f, std::uint32_t id, std::size_t length) {
+    f = can::frame{};
+    f.id = id;
+    f.length = static_cast<std::uint8_t>(length);
+}
 std::size_t by_pointer(std::span<const setpoint> in, std::span<can::frame> out) {
     can::frame* f = out.data();
-    for (const setpoint& m : in) *f++ = {can::master_1, 5, {m.node, m.message_id, 'M', m.actuator, m.state}};
+    for (const setpoint& m : in) {
+        begin(*f, can::master_1, 5);
+        f->data[0] = m.node;
+        f->data[1] = m.message_id;
+        f->data[2] = 'M';
+        f->data[3] = m.actuator;
+        f->data[4] = m.state;
+        ++f;
+    }
     return in.size();
 }
 
@@ -48,8 +62,9 @@ std::size_t any_by_vectors(std::span<const any_message<F>> in, std::span<can::fr
     std::size_t at = 0;
     for (const auto& one : in) {
         const std::vector<std::uint8_t> data = std::visit([](const auto& m) {
-            std::uint8_t bytes[24];
-            return std::vector<std::uint8_t>(bytes, bytes + by_hand::store(bytes, m));
+            std::vector<std::uint8_t> bytes(by_hand::size_of<std::remove_cvref_t<decltype(m)>>());
+            by_hand::store([&](std::size_t i) -> std::uint8_t& { return bytes[i]; }, m);
+            return bytes;
         }, one.message);
         for (std::size_t from = 0; from < data.size(); from += 8) {
             can::frame f{};
@@ -61,17 +76,16 @@ std::size_t any_by_vectors(std::span<const any_message<F>> in, std::span<can::fr
     }
     return at;
 }
-/// The same by way of the stack, eight bytes at a time.
+/// Every byte straight to its frame.
 std::size_t any_by_pointer(std::span<const any_message<F>> in, std::span<can::frame> out) {
     can::frame* f = out.data();
-    for (const auto& one : in) {
-        std::uint8_t bytes[24] = {};
-        const std::size_t size = std::visit([&](const auto& m) { return by_hand::store(bytes, m); }, one.message);
-        for (std::size_t from = 0; from < size; from += 8, ++f) {
-            *f = {one.addresses.id, static_cast<std::uint8_t>(std::min<std::size_t>(8, size - from)), {}};
-            std::memcpy(f->data.data(), bytes + from, 8);
-        }
-    }
+    for (const auto& one : in)
+        std::visit([&](const auto& m) {
+            constexpr std::size_t size = by_hand::size_of<std::remove_cvref_t<decltype(m)>>(), frames = (size + 7) / 8;
+            for (std::size_t i = 0; i != frames; ++i) begin(f[i], one.addresses.id, std::min<std::size_t>(8, size - 8 * i));
+            by_hand::store([&](std::size_t i) -> std::uint8_t& { return f[i / 8].data[i % 8]; }, m);
+            f += frames;
+        }, one.message);
     return static_cast<std::size_t>(f - out.data());
 }
 

@@ -123,6 +123,13 @@ void words_of(const Body& m, auto&& f) {
     else if constexpr (requires { m.a; }) f(m.a);
 }
 
+template <class Body>
+std::uint64_t sum_of(const Body& m) {
+    std::uint64_t sum = 0;
+    words_of<false>(m, [&](std::uint64_t w) { sum += w; });
+    return sum;
+}
+
 /// What the document allows, as comparisons by hand.
 inline bool valid(unsigned key, const one_byte& m) {
     switch (key) {

@@ -56,17 +56,21 @@ void each_packet(bytes_in in, F&& f) {
     }
 }
 
-/// What the header and `body` add to the account of `T`.
-template <task T, bool Ordered, class Body>
-void add(account<Ordered>& a, const std::uint8_t* header, unsigned key, const Body& body) {
-    ++a.messages;
-    a.words([&](auto&& f) {
-        f(header[1]);
-        f(header[2]);
-        f(key);
-        by_hand::words_of<Ordered>(body, f);
+/// What the header of a packet adds to an account, and its body, which `decode(f)` hands to `f(body)`; false if there is none.
+template <task T, bool Ordered>
+void add(account<Ordered>& a, const std::uint8_t* header, unsigned key, auto&& decode) {
+    bool good = true;
+    std::uint64_t words = std::uint64_t{header[1]} + header[2] + key;
+    if constexpr (Ordered) for (const std::uint64_t word : {std::uint64_t{header[1]}, std::uint64_t{header[2]}, std::uint64_t{key}}) a.sum.add(word);
+    const bool known = decode([&](const auto& body) {
+        if constexpr (Ordered) by_hand::words_of<true>(body, [&](std::uint64_t word) { a.sum.add(word); });
+        else words += by_hand::sum_of(body);
+        if constexpr (T == task::validated) good = by_hand::valid(key, body);
     });
-    if constexpr (T == task::validated) a.judge(by_hand::valid(key, body));
+    if (!known) return;
+    ++a.messages;
+    if constexpr (!Ordered) a.sum.add(words);
+    if constexpr (T == task::validated) a.judge(good);
 }
 unsigned key_of(const std::uint8_t* p) { return by_hand::family_of(p[1], p[2], p[3]) << 8 | p[3]; }
 
@@ -92,7 +96,12 @@ struct state_machine {
             by_hand::body message;
             const unsigned key = key_of(p);
             if (!by_hand::decode(key, p + 4, packet.size() - 5, [&](const auto& body) { message = body; })) return;
-            std::visit([&](const auto& body) { add<T>(a, p, key, body); }, message);
+            if constexpr (T == task::typed && !Ordered) {  // what the variant holds decides once
+                ++a.messages;
+                a.sum.add(std::uint64_t{p[1]} + p[2] + key + std::visit([](const auto& body) { return by_hand::sum_of(body); }, message));
+            } else {
+                add<T>(a, p, key, [&](auto&& f) { return std::visit(f, message), true; });
+            }
         });
         for (const std::uint8_t b : in) m.feed(b);
         return a.result();
@@ -106,7 +115,7 @@ struct pointers {
             if constexpr (T == task::framing) return a.packet(size);
             if constexpr (T == task::selected) return add_chosen(a, p, size);
             const unsigned key = key_of(p);
-            by_hand::decode(key, p + 4, size - 5, [&](const auto& body) { add<T>(a, p, key, body); });
+            add<T>(a, p, key, [&](auto&& f) { return by_hand::decode(key, p + 4, size - 5, f); });
         });
         return a.result();
     }
