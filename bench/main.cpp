@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     scale sizes;
-    if (o.quick) sizes = {std::size_t{2} << 20, std::size_t{64} << 10};
+    if (o.quick) sizes = {std::size_t{1} << 20, std::size_t{64} << 10};
     std::vector<entry> entries;
     add_daisy(entries, sizes);
     add_can(entries, sizes);
