@@ -1,29 +1,48 @@
 #pragma once
-// Mutations that know the schema: whole messages come, go, change places, or get one value changed with LEN, CRC and padding
-// mended. One in eight of them is broken afterwards. The rest is libFuzzer's own.
+// Mutations of a stream that know the schema: whole messages come, go, double, move, mingle, or get one value or their
+// surroundings changed with LEN, CRC and padding mended. One in eight of them is broken afterwards. The rest is libFuzzer's own.
+#include "edit.hpp"
 #include "random_message.hpp"
 #include "samples.hpp"
 
 namespace trama::fuzz {
 
-/// Where a known message lies in the input, in octets.
-struct place {
-    std::size_t begin = 0, end = 0;
-};
+/// Where the units of a known message lie in the input, in octets; those of others may lie between them.
+using place = std::vector<std::size_t>;
 
-/// The messages that lie in one piece; those whose frames interleave with others' are left out.
 template <wire_format F>
 std::vector<place> places_of(std::span<const std::uint8_t> input) {
-    constexpr std::size_t each = traits<F>::unit_octets;
     std::vector<place> places;
     const auto units = traits<F>::units_from(input);
     typename F::decoder decoder;
-    std::uint64_t covered = 0;
     read<F>(decoder, units, [&](const auto& e) {
-        if (e.code == errc::ok && e.offset >= covered) places.push_back({static_cast<std::size_t>(e.offset) * each, static_cast<std::size_t>(e.offset + e.length) * each});
-        covered = std::max(covered, e.offset + e.length);
+        if (e.code != errc::ok) return;
+        const auto belongs = [&](std::size_t at) {
+            if constexpr (requires { traits<F>::belongs(units[at], e); }) return traits<F>::belongs(units[at], e);
+            else return true;
+        };
+        place& p = places.emplace_back();
+        for (auto at = static_cast<std::size_t>(e.offset); p.size() != e.length; ++at)
+            if (belongs(at)) p.push_back(at * traits<F>::unit_octets);
     });
     return places;
+}
+
+/// The units of a message, run together.
+template <wire_format F>
+octets gather(std::span<const std::uint8_t> input, const place& p) {
+    octets piece;
+    for (const std::size_t at : p) insert(piece, piece.size(), input.subspan(at, traits<F>::unit_octets));
+    return piece;
+}
+/// Puts `piece` where the message at `p` was: unit by unit, and what is left over behind the last one.
+template <wire_format F>
+void put_back(octets& input, const place& p, std::span<const std::uint8_t> piece) {
+    constexpr std::size_t each = traits<F>::unit_octets;
+    const std::size_t both = std::min(p.size(), piece.size() / each);
+    for (std::size_t i = 0; i != both; ++i) std::copy_n(piece.begin() + static_cast<std::ptrdiff_t>(i * each), each, input.begin() + static_cast<std::ptrdiff_t>(p[i]));
+    if (!p.empty()) insert(input, p.back() + each, piece.subspan(both * each));
+    for (std::size_t i = p.size(); i != both; --i) erase(input, p[i - 1], each);
 }
 
 template <wire_format F>
@@ -60,10 +79,10 @@ sample<F> random_sample(dice& d) {
     return s;
 }
 
-/// The message in `piece` with one value changed and everything that depends on it mended; empty when it is none.
+/// The message in `piece` with one value changed and everything that depends on it mended; `piece` itself when it is none.
 template <wire_format F>
-octets changed(std::span<const std::uint8_t> piece, dice& d) {
-    octets out;
+octets changed(const octets& piece, dice& d) {
+    octets out = piece;
     const auto units = traits<F>::units_from(piece);
     typename F::decoder decoder;
     read<F>(decoder, units, [&](const auto& e) {
@@ -77,49 +96,66 @@ octets changed(std::span<const std::uint8_t> piece, dice& d) {
             if (size) out = traits<F>::octets_from(std::span<const typename F::unit>(wire).first(*size));
         });
     });
+    if constexpr (requires { traits<F>::arrive_like(std::span(out), std::span(piece)); })
+        for (std::size_t at = 0; at < std::min(out.size(), piece.size()); at += traits<F>::unit_octets)
+            traits<F>::arrive_like(std::span(out).subspan(at), std::span(piece).subspan(at));
     return out;
 }
 
-inline void replace(octets& in, place p, std::span<const std::uint8_t> by) {
-    in.erase(in.begin() + static_cast<std::ptrdiff_t>(p.begin), in.begin() + static_cast<std::ptrdiff_t>(p.end));
-    in.insert(in.begin() + static_cast<std::ptrdiff_t>(p.begin), by.begin(), by.end());
+/// A new message comes, whole or between the units of others.
+template <wire_format F>
+void add_message(octets& input, std::size_t at, dice& d) {
+    octets piece = random_wire<F>(d);
+    if (d.one_in(4)) alter<F>(piece, d);
+    if (d.one_in(8)) break_somewhere<F>(piece, d);
+    if (traits<F>::unit_octets > 1 && d.one_in(2)) interleave<F>(input, at, piece, d);
+    else insert(input, at, piece);
 }
 
-/// Flips, drops or doubles one octet of `piece`.
-inline void break_somewhere(octets& piece, dice& d) {
-    if (piece.empty()) return;
-    const auto at = piece.begin() + static_cast<std::ptrdiff_t>(d.below(piece.size()));
-    switch (d.below(3)) {
-        case 0: *at = static_cast<std::uint8_t>(*at ^ (1U << d.below(8))); break;
-        case 1: piece.erase(at); break;
-        default: piece.insert(at, *at);
+/// One message of the input changes, doubles, moves or goes.
+template <wire_format F>
+void edit_message(octets& input, const place& chosen, std::size_t elsewhere, dice& d) {
+    octets piece = gather<F>(input, chosen);
+    const std::size_t action = d.below(10);
+    if (action < 4) piece = changed<F>(piece, d);
+    else if (action < 6) alter<F>(piece, d);
+    if (d.one_in(8)) break_somewhere<F>(piece, d);
+    if (action < 6) {
+        put_back<F>(input, chosen, piece);
+    } else {
+        if (action == 9) piece.clear();
+        if (action > 7) put_back<F>(input, chosen, {});
+        insert(input, std::min(elsewhere, input.size()), piece);
     }
+}
+
+/// libFuzzer's own mutations: of the whole input, or where a unit has several octets, mostly inside one, so that the rest keeps its footing.
+template <wire_format F>
+std::size_t mutate_octets(std::uint8_t* data, std::size_t size, std::size_t max_size, dice& d) {
+    constexpr std::size_t each = traits<F>::unit_octets;
+    if (each == 1 || size < each || d.one_in(4)) return LLVMFuzzerMutate(data, size, max_size);
+    std::uint8_t* unit = data + d.below(size / each) * each;
+    const std::size_t left = LLVMFuzzerMutate(unit, each, each);
+    std::fill(unit + left, unit + each, std::uint8_t{0});
+    return size;
 }
 
 template <wire_format F>
 std::size_t mutate(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
     dice d(seed);
-    if (plain_octets() || d.one_in(3)) return LLVMFuzzerMutate(data, size, max_size);
+    if (plain_octets()) return LLVMFuzzerMutate(data, size, max_size);
+    if (d.one_in(3)) return mutate_octets<F>(data, size, max_size, d);
     octets input(data, data + size);
-    const auto places = places_of<F>(input);
-    const place chosen = places.empty() ? place{} : places[d.below(places.size())];
-    const std::size_t boundary = places.empty() || d.one_in(8) ? d.below(size + 1) : d.one_in(2) ? chosen.begin : chosen.end;
-    octets piece;
-    place where{boundary, boundary};
-    switch (places.empty() ? 0 : d.below(6)) {
-        case 0: case 1: piece = random_wire<F>(d); break;
-        case 2: case 3:
-            piece = changed<F>(std::span(input).subspan(chosen.begin, chosen.end - chosen.begin), d);
-            where = chosen;
-            break;
-        case 4: piece.assign(input.begin() + static_cast<std::ptrdiff_t>(chosen.begin), input.begin() + static_cast<std::ptrdiff_t>(chosen.end)); break;
-        default: where = chosen;  // a message lost
+    if (d.one_in(traits<F>::unit_octets > 1 ? 4 : 12)) {
+        shuffle_units<F>(input, d);
+        return hand_over(input, data, max_size);
     }
-    if (d.one_in(8)) break_somewhere(piece, d);
-    replace(input, where, piece);
-    input.resize(std::min(input.size(), max_size));
-    std::copy(input.begin(), input.end(), data);
-    return input.size();
+    const auto places = places_of<F>(input);
+    std::size_t boundary = some_boundary<F>(input, d);
+    if (!places.empty() && !d.one_in(8)) boundary = places[d.below(places.size())].front();
+    if (places.empty() || d.one_in(3)) add_message<F>(input, boundary, d);
+    else edit_message<F>(input, places[d.below(places.size())], boundary, d);
+    return hand_over(input, data, max_size);
 }
 
 /// The front of one input and the back of the other, cut where messages begin and end.
@@ -127,13 +163,12 @@ template <wire_format F>
 std::size_t cross(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, std::uint8_t* out, std::size_t max_size, unsigned seed) {
     dice d(seed);
     const auto front = places_of<F>(a), back = places_of<F>(b);
-    const std::size_t end = front.empty() || plain_octets() ? d.below(a.size() + 1) : front[d.below(front.size())].end;
-    const std::size_t begin = back.empty() || plain_octets() ? d.below(b.size() + 1) : back[d.below(back.size())].begin;
-    octets input(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(end));
-    input.insert(input.end(), b.begin() + static_cast<std::ptrdiff_t>(begin), b.end());
-    input.resize(std::min(input.size(), max_size));
-    std::copy(input.begin(), input.end(), out);
-    return input.size();
+    const bool plain = plain_octets();
+    const std::size_t end = plain ? d.below(a.size() + 1) : front.empty() ? some_boundary<F>(a, d) : front[d.below(front.size())].back() + traits<F>::unit_octets;
+    const std::size_t begin = plain ? d.below(b.size() + 1) : back.empty() ? some_boundary<F>(b, d) : back[d.below(back.size())].front();
+    octets input = piece_of(a, 0, end);
+    insert(input, input.size(), b.subspan(begin));
+    return hand_over(input, out, max_size);
 }
 
 }  // namespace trama::fuzz

@@ -14,6 +14,9 @@ struct traits<can::format> {
     /// time-out ends that. Without silence there is no bound.
     static constexpr std::size_t recovery_bound = 0;
     static constexpr bool one_spelling = true;  ///< A message has but one body.
+    static constexpr std::uint64_t patience = 50;  ///< The time-out that targets which read gaps in time give a reassembler.
+    /// Nine values of the DLC octet for each gap in time before a frame: none, 1..15, the time-out, one more, or backwards.
+    enum gap : unsigned { none = 0, some = 1, full = 16, past = 20, back = 26, last = 28 };
 
     /// Bits 0..1 of the first octet: identifier 0x80..0x83, the last of them foreign; bit 2 extended, 3 remote, 4 FD, 5 error,
     /// taken only where bits 6 and 7 are set, so that most frames are of the protocol. Bits 2..6 set, but not 7: the DLC is
@@ -37,13 +40,13 @@ struct traits<can::format> {
         for (; input.size() >= unit_octets; input = input.subspan(unit_octets)) frames.push_back(frame_of(input, 0));
         return frames;
     }
-    /// As `units_from`, but the upper bits of the DLC octet are a gap in time before the frame: 0, some, or one past `timeout`.
+    /// As `units_from`, with the gaps in time.
     static std::vector<can::frame> timed_units_from(std::span<const std::uint8_t> input, std::uint64_t timeout) {
         auto frames = units_from(input);
         std::uint64_t now = 1000;
         for (std::size_t i = 0; i != frames.size(); ++i) {
-            const unsigned gap = input[i * unit_octets + 1] / 9U;
-            now = gap < 16 ? now + gap : gap < 20 ? now + timeout : gap < 26 ? now + timeout + 1 : now - (now > gap ? gap : 0);
+            const unsigned step = input[i * unit_octets + 1] / 9U;
+            now = step < full ? now + step : step < past ? now + timeout : step < back ? now + timeout + 1 : now - (now > step ? step : 0);
             frames[i].time = now;
         }
         return frames;
@@ -55,6 +58,43 @@ struct traits<can::format> {
             out.push_back(f.length);
             out.insert(out.end(), f.data.begin(), f.data.end());
         }
+        return out;
+    }
+    /// Whether a frame is one of those that `e` covers, from its offset on.
+    static bool belongs(const can::frame& f, const can::event& e) { return f.classic() && f.id == e.id; }
+    /// Lets the frame `to` come as `from` did, with the gap in time before it; what a message does not say.
+    static void arrive_like(std::span<std::uint8_t> to, std::span<const std::uint8_t> from) {
+        to[0] = static_cast<std::uint8_t>((from[0] & 0xFC) | (to[0] & 3));
+        to[1] = static_cast<std::uint8_t>(std::min(from[1] / 9U, last - 1U) * 9 + to[1] % 9U);
+    }
+    /// Changes the gap before a frame, its DLC, identifier or kind; the data stay.
+    static void alter_unit(std::span<std::uint8_t> ten, dice& d) {
+        const std::size_t kind = d.below(8);
+        if ((ten[0] & 0xFC) == 0x7C) ten[0] &= 3;
+        if (kind < 3) {
+            const std::size_t steps[] = {none, some + d.below(full - some), full, past, past, back + d.below(last - back)};
+            ten[1] = static_cast<std::uint8_t>(steps[d.below(6)] * 9 + ten[1] % 9U);
+        } else if (kind < 5) {
+            ten[1] = static_cast<std::uint8_t>(std::min(ten[1] / 9U, last - 1U) * 9 + d.below(9));
+        } else if (kind == 5) {
+            ten[0] = static_cast<std::uint8_t>((ten[0] & 0xFC) | ((ten[0] + 1 + d.below(3)) & 3));
+        } else if (kind == 6) {
+            ten[0] = static_cast<std::uint8_t>(0xC0U | 4U << d.below(4) | (ten[0] & 3U));
+        } else {
+            ten[0] = static_cast<std::uint8_t>(0x7C | (ten[0] & 3));
+            ten[1] = static_cast<std::uint8_t>(9 + d.below(247));
+        }
+    }
+    /// Frames as those of `message`, with `body` as their data.
+    static octets with_body(std::span<const std::uint8_t> message, std::span<const std::uint8_t> body) {
+        octets out;
+        do {
+            const auto data = body.first(std::min<std::size_t>(body.size(), 8));
+            body = body.subspan(data.size());
+            out.insert(out.end(), {message[0], static_cast<std::uint8_t>(data.size())});
+            out.insert(out.end(), data.begin(), data.end());
+            out.resize((out.size() + unit_octets - 1) / unit_octets * unit_octets);
+        } while (!body.empty());
         return out;
     }
     /// The frames as the log that `trama decode can` reads.

@@ -43,6 +43,41 @@ struct traits<daisy::format> : octet_traits {
         if constexpr (requires { m.evident(); }) return m.evident();
         else return true;
     }
+    /// LEN and CRC as the rest of the packet asks for.
+    static void mend(octets& packet) {
+        packet[0] = static_cast<std::uint8_t>(packet.size() - 1);
+        packet.back() = 0;
+        packet.back() = daisy::checksum(packet);
+    }
+    /// The packet with another body; empty when LEN cannot say how long that is.
+    static octets with_body(std::span<const std::uint8_t> packet, std::span<const std::uint8_t> body) {
+        if (body.size() > 255 - daisy::header_size) return {};
+        octets out(packet.begin(), packet.begin() + daisy::header_size);
+        out.insert(out.end(), body.begin(), body.end());
+        out.push_back(0);
+        mend(out);
+        return out;
+    }
+    /// Another packet with a good CRC, documented or not: an address or the command changed, the body cut, lengthened or
+    /// the packet itself, or LEN alone, so that a shorter packet is intact and the rest noise.
+    static void alter(octets& packet, dice& d) {
+        if (packet.size() < daisy::min_packet) return;
+        octets body(packet.begin() + daisy::header_size, packet.end() - 1);
+        const std::size_t kind = d.below(6);
+        if (kind < 3) {
+            packet[1 + kind] = static_cast<std::uint8_t>(d.one_in(2) ? d.next() : packet[1 + kind] ^ 1U << d.below(8));
+            mend(packet);
+        } else if (kind == 3) {
+            const std::size_t rest = packet.size() - daisy::min_packet;
+            packet[0] = static_cast<std::uint8_t>(daisy::header_size + d.below(rest));
+            packet[packet[0]] = daisy::checksum(std::span(packet).first(packet[0]));
+        } else {
+            if (kind == 4) body = packet;
+            else if (d.one_in(2)) body.resize(body.size() - std::min(body.size(), 1 + d.below(4)));
+            else body.resize(body.size() + 1 + d.below(d.one_in(16) ? 255 : 4), static_cast<std::uint8_t>(d.next()));
+            if (const octets other = with_body(packet, body); !other.empty()) packet = other;
+        }
+    }
     /// A window that could be taken for a packet: the laws of recovery speak only of traffic without such.
     static bool could_be_packet(std::span<const std::uint8_t> at) {
         if (at.size() < 5 || at[0] < 4 || at.size() < std::size_t{at[0]} + 1) return false;
