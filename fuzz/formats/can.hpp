@@ -122,4 +122,22 @@ struct traits<can::format> {
     static bool evident(const can::envelope&, const M&) { return true; }
 };
 
+/// can with the gaps in time of its input, and a reassembler that gives up after `patience`.
+struct timed_can : can::format {
+    struct decoder : can::reassembler {
+        constexpr decoder() noexcept : can::reassembler({can::central_master, can::master_1, can::master_2}, traits<can::format>::patience) {}
+    };
+};
+template <>
+struct traits<timed_can> : traits<can::format> {
+    static std::vector<can::frame> units_from(std::span<const std::uint8_t> input) { return timed_units_from(input, patience); }
+    /// As that of can, slowed down so that the targets' time-out is that of `trama decode can`, a second.
+    static void print_wire(std::span<const std::uint8_t> input) {
+        for (auto f : units_from(input)) {
+            f.time *= 1'000'000 / patience;
+            std::printf("%s\n", log_line(f).c_str());
+        }
+    }
+};
+
 }  // namespace trama::fuzz

@@ -2,7 +2,7 @@
 #include "harness.hpp"
 #include "samples.hpp"
 using format = trama::can::format;
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return trama::fuzz::stream<format>({data, size}); }
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return trama::fuzz::stream<trama::fuzz::timed_can>({data, size}); }
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed) { return trama::fuzz::mutate<format>(data, size, max, seed); }
 extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* a, std::size_t m, const std::uint8_t* b, std::size_t n, std::uint8_t* out, std::size_t max, unsigned seed) { return trama::fuzz::cross<format>({a, m}, {b, n}, out, max, seed); }
-extern "C" void trama_fuzz_print_wire(const std::uint8_t* data, std::size_t size) { trama::fuzz::traits<format>::print_wire({data, size}); }
+extern "C" void trama_fuzz_print_wire(const std::uint8_t* data, std::size_t size) { trama::fuzz::traits<trama::fuzz::timed_can>::print_wire({data, size}); }
