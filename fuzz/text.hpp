@@ -41,40 +41,4 @@ int text(std::span<const std::uint8_t> input) {
     return 0;
 }
 
-/// A line of JSON for some message; now and then with a value that the document does not allow.
-template <wire_format F>
-std::string random_line(dice& d) {
-    std::string line;
-    const octets wire = random_wire<F>(d);
-    const auto units = traits<F>::units_from(wire);
-    typename F::decoder decoder;
-    read<F>(decoder, units, [&](const typename F::event& e) { line = line_of<F>(e); });
-    return line;
-}
-
-/// Numbers at the edges of what JSON and the formats can hold.
-inline constexpr std::string_view odd_numbers[] = {"0", "-0", "-1", "1.0", "1e2", "1E+1", "0.05", "127", "128", "255", "256", "32767", "-32768", "32768", "65535", "65536",
-    "2147483647", "-2147483649", "4294967296", "9223372036854775807", "-9223372036854775808", "18446744073709551616", "00", "01", "1.", ".5", "48.2", "48.25", "99999", "100000", "null", "true", "\"1\"", "[]", "{}"};
-
-template <wire_format F>
-std::size_t mutate_text(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
-    dice d(seed);
-    if (plain_octets() || d.one_in(3)) return LLVMFuzzerMutate(data, size, max_size);
-    std::string input(data, data + size);
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const std::size_t digit = static_cast<std::size_t>(std::find_if(input.begin() + static_cast<std::ptrdiff_t>(d.below(size + 1)), input.end(), is_digit) - input.begin());
-    if (digit != size && d.one_in(2)) {
-        std::size_t end = digit;
-        while (end != size && is_digit(input[end])) ++end;
-        input.replace(digit, end - digit, odd_numbers[d.below(std::size(odd_numbers))]);
-    } else if (d.one_in(2)) {
-        input = random_line<F>(d);
-    } else {
-        input.insert(0, random_line<F>(d) + "\n");
-    }
-    input.resize(std::min(input.size(), max_size));
-    std::copy(input.begin(), input.end(), data);
-    return input.size();
-}
-
 }  // namespace trama::fuzz
