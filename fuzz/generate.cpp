@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mutate.hpp"
+#include "mutate_body.hpp"
 #include "text.hpp"
 
 namespace {
@@ -61,7 +62,9 @@ template <wire_format F>
 void add_seeds(files& all) {
     const std::string format{F::name};
     std::uint32_t seed = 1;
+    std::uint8_t choice = 0;  // of the message, in input for decode
     F::messages::each([&]<class M>() {
+        const std::uint8_t own = choice++;
         for (const bool strange : {false, true}) {
             dice d(++seed);
             arena memory;
@@ -75,6 +78,7 @@ void add_seeds(files& all) {
             const auto units = std::span<const typename F::unit>(wire).first(*size);
             const std::string name = file_name<F, M>() + (strange ? "-strange" : "");
             all["corpus/" + format + "/" + name] = as_text(traits<F>::octets_from(units));
+            all["corpus/" + format + "_decode/" + name] = as_text(as_input(own, m));
             if (!strange) all["corpus/" + format + "_text/" + name] = json_of<F>(units);
         }
     });

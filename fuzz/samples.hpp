@@ -25,6 +25,14 @@ std::size_t mutate(std::uint8_t* data, std::size_t size, std::size_t max_size, u
 template <wire_format F>
 std::size_t cross(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, std::uint8_t* out, std::size_t max_size, unsigned seed);
 
+/// The same for targets that take one body, and its explanation.
+template <wire_format F>
+std::size_t mutate_body(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed);
+template <wire_format F>
+std::size_t cross_bodies(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, std::uint8_t* out, std::size_t max_size, unsigned seed);
+template <wire_format F>
+void print_body(std::span<const std::uint8_t> input);
+
 /// With TRAMA_FUZZ_PLAIN in the environment only the engine's own mutations are used: to show what random octets reach.
 inline bool plain_octets() {
     static const bool plain = std::getenv("TRAMA_FUZZ_PLAIN") != nullptr;
