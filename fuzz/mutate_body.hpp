@@ -35,15 +35,15 @@ octets random_body(std::uint8_t choice, bool strange, dice& d) {
     return out;
 }
 
-/// The same message with one value changed; a new one where the body does not load.
+/// The same message with one value changed; the input itself where the body does not load or has no value.
 template <wire_format F>
 octets changed_body(std::span<const std::uint8_t> input, dice& d) {
-    octets out;
+    octets out(input.begin(), input.end());
     at_choice<F>(input[0], [&]<class M>() {
         arena memory;
         M m{};
-        if (load_body(input.subspan(1), m)) m = random_message<M>(d, memory);
-        else change_one_value(m, d, memory);
+        if (load_body(input.subspan(1), m)) return;
+        change_one_value(m, d, memory);
         out = as_input(input[0], m);
     });
     return out;
@@ -67,7 +67,7 @@ std::size_t mutate_body(std::uint8_t* data, std::size_t size, std::size_t max_si
     std::size_t action = size == 0 ? 0 : d.below(10);
     if (action >= 2 && action < 6) {
         input = changed_body<F>(input, d);
-        if (std::ranges::equal(input, std::span(data, size))) action = 0;  // it has no value to change
+        if (std::ranges::equal(input, std::span(data, size))) action = 0;
     }
     if (action < 2) {
         input = random_body<F>(static_cast<std::uint8_t>(d.below(F::messages::count) | (d.one_in(4) ? 0x80U : 0U)), d.one_in(2), d);

@@ -69,21 +69,18 @@ inline void change_member(std::string& line, const std::string& other, dice& d) 
     }
 }
 
-/// Lines of a log for the frames of some message: behind `now`, with gaps around the tool's time-out, now and then with frames altered.
+/// Lines of a log for the frames of some message: behind `now`, in microseconds, with gaps around the tool's time-out, now and then with frames altered.
 inline strings random_log(dice& d, std::uint64_t now) {
     using F = can::format;
     octets wire = random_wire<F>(d);
     if (d.one_in(3)) shuffle_units<F>(wire, d);
     strings lines;
     for (auto f : traits<F>::units_from(wire)) {
-        constexpr std::uint64_t second = tool::per_second;
-        const std::uint64_t gaps[] = {0, 1000, second / 100, second - 1000, second, second + 1000, 2 * second};
+        constexpr std::uint64_t second = 1'000'000;
+        const std::uint64_t gaps[] = {0, 1, second / 100, second - 1, second, second + 1, 2 * second};
         f.time = now += gaps[d.one_in(2) ? 2 : d.below(std::size(gaps))];
         f.length = std::min<std::uint8_t>(f.length, 8);
-        std::array<char, 64> memory;
-        text_sink sink(memory);
-        tool::print_candump(sink, f);
-        lines.emplace_back(sink.view().substr(0, sink.view().find('\n')));
+        lines.push_back(traits<F>::log_line(f));
     }
     return lines;
 }
@@ -103,7 +100,7 @@ strings new_lines(bool log, const std::string& before, dice& d) {
     if constexpr (std::is_same_v<F, can::format>) {
         if (log) {
             const auto last = tool::parse_candump(before);
-            return random_log(d, last ? last->time : d.below(3) * tool::per_second);
+            return random_log(d, last ? last->time / 1000 : d.below(3) * 1'000'000);
         }
     }
     return {random_line<F>(d)};
