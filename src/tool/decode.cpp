@@ -107,7 +107,10 @@ int decode_can(const options& o, input& in) {
         p.decoder().seek(lines.number());
         p.feed({&*frame, 1});
     };
+    progress shown(in.size());
+    std::uint64_t done = 0;
     for (auto bytes = in.read(); !bytes.empty(); bytes = in.read()) {
+        shown.at(done += bytes.size());
         lines.read(bytes, take);
         p.flush();
     }
