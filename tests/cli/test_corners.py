@@ -2,6 +2,7 @@
 
 import os
 import pty
+import re
 import select
 import subprocess
 import tempfile
@@ -93,13 +94,13 @@ class Candump(ToolCase):
 
 
 class Progress(ToolCase):
-    def shown(self, folder, *options):
+    def shown(self, folder, content, *words):
         """What the tool says on a terminal while it decodes a large file into one that is none."""
         path = os.path.join(folder, "large")
         with open(path, "wb") as f:
-            f.write(octets("0400108397") * (4 << 20))
+            f.write(content)
         terminal, inner = pty.openpty()
-        with open(os.devnull, "wb") as nowhere, subprocess.Popen([TRAMA, "decode", "daisy", *options, path], stdout=nowhere, stderr=inner) as tool:
+        with open(os.devnull, "wb") as nowhere, subprocess.Popen([TRAMA, "decode", *words, path], stdout=nowhere, stderr=inner) as tool:
             os.close(inner)
             said = b""
             while select.select([terminal], [], [], HANG)[0]:
@@ -115,11 +116,15 @@ class Progress(ToolCase):
         return said.decode()
 
     def test_is_a_line_that_is_redrawn_and_goes(self):
-        for options in ((), ("--jobs", "2")):
+        ring, log = octets("0400108397") * (4 << 20), can_log(READ) * (1 << 20)
+        for content, size, *words in ((ring, 21, "daisy"), (ring, 21, "daisy", "--jobs", "2"), (ring, 20, "daisy", "--range", "1000000:99999999"),
+                                      (log, 28, "can")):
             with tempfile.TemporaryDirectory() as folder:
-                said = self.shown(folder, *options)
-            self.assertRegex(said, r"^\r\x1b\[K\d+ of 21 MB, \d+ MB/s, \d+ s left")
+                said = self.shown(folder, content, *words)
+            self.assertRegex(said, r"^\r\x1b\[K\d+ of %d MB, \d+ MB/s, \d+ s left" % size, words)
             self.assertTrue(said.endswith("\r\x1b[K"), said[-40:])
+            places = [int(place) for place in re.findall(r"K(\d+) of", said)]
+            self.assertEqual(places, sorted(places))
 
     def test_is_silent_where_nobody_looks(self):
         run = trama("decode", "daisy", given=octets("0400108397") * 1000)

@@ -68,6 +68,13 @@ class Parts(unittest.TestCase):
     def test_garbage_has_no_seams_and_still_comes_out_whole(self):
         self.check("daisy", self.dice.randbytes(600000) + daisy_traffic(self.dice, 9000))
 
+    def test_jobs_on_a_stream_of_two_readings(self):
+        """A part that joins in the other reading must not be taken; see tests/daisy/footing.cpp."""
+        text = packet("00 11 81", bytes.fromhex("80 0411000316 0e001181"))
+        with open(self.path, "wb") as file:
+            file.write((packet("11 00 03") + text) * 50000)
+        self.assertEqual(trama("decode", "daisy", "--jobs", "2", self.path), trama("decode", "daisy", self.path))
+
     def test_jobs_on_can_print_the_same(self):
         log = b"".join(b"(%d.0) can0 081#0102%02X\n" % (i, 0x52) for i in range(100))
         with open(self.path, "wb") as file:
