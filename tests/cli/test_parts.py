@@ -2,10 +2,11 @@
 
 import os
 import random
+import subprocess
 import tempfile
 import unittest
 
-from tool import packet, record, trama
+from tool import HANG, TRAMA, packet, record, trama
 
 
 def daisy_traffic(dice, packets):
@@ -74,6 +75,18 @@ class Parts(unittest.TestCase):
         with open(self.path, "wb") as file:
             file.write((packet("11 00 03") + text) * 50000)
         self.assertEqual(trama("decode", "daisy", "--jobs", "2", self.path), trama("decode", "daisy", self.path))
+
+    def test_processes_side_by_side_print_the_whole(self):
+        """bench/ranges_in_parallel, the pattern for a cluster's engine."""
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "ranges_in_parallel")
+        for protocol, stream in (("daisy", daisy_traffic(self.dice, 5000)), ("gateway", gateway_traffic(self.dice, 5000))):
+            with open(self.path, "wb") as file:
+                file.write(stream)
+            whole = trama("decode", protocol, self.path)
+            self.assertEqual(whole.status, 1)
+            for parts in ("1", "5"):
+                run = subprocess.run([script, TRAMA, protocol, self.path, parts], capture_output=True, timeout=HANG, check=False)
+                self.assertEqual((run.returncode, run.stdout, run.stderr), (whole.status, whole.out, b""))
 
     def test_jobs_on_can_print_the_same(self):
         log = b"".join(b"(%d.0) can0 081#0102%02X\n" % (i, 0x52) for i in range(100))
