@@ -8,9 +8,12 @@ namespace trama::daisy {
 inline constexpr std::size_t footing_lead = 1024;   ///< Bytes before a cut from which a decoder finds its footing.
 inline constexpr std::size_t footing_clean = 512;   ///< Bytes without a fault that it takes to be sure.
 
-/// The first place from `from` on where a packet begins beyond doubt: a decoder that joins the stream `footing_lead`
-/// bytes before `from` is settled there and has seen `footing_clean` bytes without a fault. `stream.size()` if there is
-/// no such place; 0 for 0. A decoder that read the stream from its beginning and is settled there too goes on alike.
+/// The first place from `from` on where a decoder that joins the stream `footing_lead` bytes before `from` is settled and
+/// has seen `footing_clean` bytes without a fault. `stream.size()` if there is no such place; 0 for 0.
+///
+/// The stream may be cut there if the decoder of what lies before agrees: fed all of it, its `offset()` is this place and
+/// it is `settled()`. From there on both report the same. Else that decoder has to go on, to a later footing: some
+/// streams can be read in two ways, and only their beginning tells which it is.
 constexpr std::size_t footing(std::span<const std::uint8_t> stream, std::size_t from) noexcept {
     if (from == 0) return 0;
     const std::size_t start = from - std::min(from, footing_lead);
