@@ -111,8 +111,7 @@ class Threads(Limits):
         for most in (1, 3):
             run = subprocess.run([tool, "decode", "gateway", "--jobs", "16", self.path], capture_output=True, timeout=HANG, check=False, env=environment,
                                  preexec_fn=lambda most=most: resource.setrlimit(resource.RLIMIT_NPROC, (most, most)), **other)
-            self.assertEqual((run.returncode, run.stderr), (whole.status, b""), most)
-            self.assertEqual(run.stdout, whole.out)
+            self.assertEqual((run.returncode, run.stdout), (whole.status, whole.out), run.stderr)
 
     def test_no_more_than_asked_for(self):
         self.store(gateway_traffic(random.Random(7), 60000) * 8)
