@@ -1,9 +1,12 @@
 """Corpora: which target shares whose, merging and minimising, and the lines that they cover."""
+import hashlib
 import json
 import os
 import shutil
 import subprocess
 from pathlib import Path
+
+from .engine import MAX_LENGTH, merge_command
 
 
 def group(source, name):
@@ -36,6 +39,33 @@ def newer_than(folders, when):
     return sorted(fresh)
 
 
+def gather(paths, folder, own, known):
+    """Copies inputs into an otherwise empty folder, but for those that the corpus `own` holds by that name, and those whose digests are `known` to
+    fail. False when none are left."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for path in map(Path, paths):
+        try:
+            octets = path.read_bytes()
+        except FileNotFoundError:  # a corpus lives
+            continue
+        if not (own / path.name).exists() and hashlib.sha1(octets).hexdigest() not in known:
+            (folder / path.name).write_bytes(octets)
+    return any(folder.iterdir())
+
+
+def leave_out(corpus, artifact):
+    """Removes the input from the corpus that libFuzzer wrote as this artifact. False when the corpus does not hold it."""
+    digest = Path(artifact).name.rpartition("-")[2]
+    if (corpus / digest).is_file():
+        held = [corpus / digest]
+    else:  # a longer input, of which the fuzzer read the beginning, or one with a name of its own
+        held = [p for p in corpus.iterdir() if p.is_file() and hashlib.sha1(p.read_bytes()[:MAX_LENGTH]).hexdigest() == digest]
+    for path in held:
+        path.unlink(missing_ok=True)
+    return bool(held)
+
+
 def count(folder):
     try:
         with os.scandir(folder) as entries:
@@ -53,8 +83,7 @@ def minimise(program, corpus, others, environment, log, timeout, watch):
     small, _ = _beside(corpus)
     shutil.rmtree(small, ignore_errors=True)
     small.mkdir(parents=True)
-    command = [str(program), "-merge=1", f"-max_total_time={max(1, int(timeout))}", "-timeout=10", "-rss_limit_mb=2048", "-max_len=4096",
-               f"-artifact_prefix={small.parent}/merge-{corpus.name}-", str(small), str(corpus), *map(str, others)]
+    command = merge_command(program, small, [corpus, *others], f"{small.parent}/merge-{corpus.name}-", timeout)
     with open(log, "ab") as f:
         p = subprocess.Popen(command, stdout=f, stderr=subprocess.STDOUT, env=environment, start_new_session=True)
         status = watch(p, timeout + 30)
@@ -66,14 +95,17 @@ def minimise(program, corpus, others, environment, log, timeout, watch):
     return False
 
 
-def swap(corpus):
-    """Makes what `minimise` left the corpus. Whatever interrupts the two renames, one whole corpus is there, and `repair` finds it."""
+def swap(corpus, known=()):
+    """Makes what `minimise` left the corpus, without the inputs whose digests are `known` to fail. Whatever interrupts the two renames, one whole
+    corpus is there, and `repair` finds it."""
     small, old = _beside(corpus)
     if small.is_dir():
         shutil.rmtree(old, ignore_errors=True)
         os.rename(corpus, old)
         os.rename(small, corpus)
         shutil.rmtree(old)
+    for digest in known:
+        (corpus / digest).unlink(missing_ok=True)
 
 
 def repair(corpus):

@@ -20,7 +20,8 @@ def clock(seconds):
 
 
 class Display:
-    """`rows` are dicts: name, running (variants), rate, coverage, corpus, new, finds, executions."""
+    """`rows` are dicts: name, running (variants), rate, coverage, corpus, new, finds, executions,
+    seconds (core time it had), left (core time it may still expect)."""
 
     PLAIN_EVERY = 10.0
 
@@ -33,13 +34,18 @@ class Display:
 
     def say(self, text):
         """A line that stays."""
-        self._erase()
-        print(text, file=self._stream, flush=True)
+        self._write(self._erase() + text + "\n")
 
     def _erase(self):
-        if self._drawn:
-            self._stream.write(f"\x1b[{self._drawn}A\x1b[J")
-            self._drawn = 0
+        drawn, self._drawn = self._drawn, 0
+        return f"\x1b[{drawn}A\x1b[J" if drawn else ""
+
+    def _write(self, text):
+        try:
+            self._stream.write(text)
+            self._stream.flush()
+        except (OSError, RuntimeError):  # the terminal is gone, or a signal came in the midst of a write; the campaign still ends in good order
+            pass
 
     def stage(self, text):
         self.say(text)
@@ -49,11 +55,9 @@ class Display:
         if self._live:
             size = shutil.get_terminal_size()
             lines = [line[:max(20, size.columns - 1)] for line in self._fit(lines, size.lines - 1)]
-            self._erase()
             if self._bold:
                 lines[0] = f"\x1b[1m{lines[0]}\x1b[0m"
-            self._stream.write("\n".join(lines) + "\n")
-            self._stream.flush()
+            self._write(self._erase() + "\n".join(lines) + "\n")
             self._drawn = len(lines)
             return
         now = time.monotonic()
@@ -61,7 +65,7 @@ class Display:
             self._last_plain = now
             busy = [r for r in rows if r["running"]]
             what = "; ".join(f"{r['name']} {amount(r['rate'])}/s cov {r['coverage']} corpus {r['corpus']} new {r['new']}" for r in busy)
-            print(f"{clock(left)} left, {finds} finds, {amount(sum(r['executions'] for r in rows))} executions: {what}", file=self._stream, flush=True)
+            self._write(f"{clock(left)} left, {finds} finds, {amount(sum(r['executions'] for r in rows))} executions: {what}\n")
 
     @staticmethod
     def _fit(lines, height):
@@ -75,12 +79,15 @@ class Display:
     @staticmethod
     def _table(rows, left, total, finds):
         width = max([6, *(len(r["name"]) for r in rows)])
-        lines = [f"{'target':<{width}}   {'variant':<8} {'exec/s':>7} {'execs':>7} {'cov':>6} {'corpus':>6} {'new':>5} {'finds':>5} {'ran':>7}"]
+        lines = [f"{'target':<{width}}   {'variant':<8} {'exec/s':>7} {'execs':>7} {'cov':>6} {'corpus':>6} {'new':>5} {'finds':>5} "
+                 f"{'ran':>7} {'left':>7}"]
         for r in rows:
             mark = "*" if r["running"] else " "
             lines.append(f"{r['name']:<{width}} {mark} {'+'.join(r['running']) or '-':<8} {amount(r['rate']) if r['running'] else '-':>7} "
-                         f"{amount(r['executions']):>7} {r['coverage']:>6} {r['corpus']:>6} {r['new']:>5} {r['finds']:>5} {clock(r['seconds']):>7}")
+                         f"{amount(r['executions']):>7} {r['coverage']:>6} {r['corpus']:>6} {r['new']:>5} {r['finds']:>5} "
+                         f"{clock(r['seconds']):>7} {clock(r['left']):>7}")
         done = 1 - left / total if total else 1
         bar = "#" * int(20 * done) + "." * (20 - int(20 * done))
-        lines.append(f"[{bar}] {clock(left)} left, {amount(sum(r['executions'] for r in rows))} executions, {finds} finds; Ctrl-C stops and keeps everything")
+        executions = amount(sum(r["executions"] for r in rows))
+        lines.append(f"[{bar}] {clock(left)} left for all, {executions} executions, {finds} finds; Ctrl-C stops and keeps everything")
         return lines

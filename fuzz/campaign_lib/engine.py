@@ -1,13 +1,12 @@
-"""One slice of fuzzing: a process of libFuzzer or AFL++, watched while it runs."""
+"""One slice of fuzzing: processes of one target in one variant, watched while they run. AFL++'s is in afl.py."""
 import os
 import re
-import shutil
 import signal
 import subprocess
 import threading
 import time
-from pathlib import Path
 
+MAX_LENGTH = 4096  # of an input
 _STATUS = re.compile(r"^#(\d+)\s+(\w+)\s+cov: (\d+) ft: (\d+) corp: (\d+)/\S+ .*?exec/s: (\d+)")
 _FINAL = re.compile(r"^stat::number_of_executed_units:\s+(\d+)")
 _ARTIFACT = re.compile(r"Test unit written to (\S+)")
@@ -32,155 +31,170 @@ def sanitizer_environment(symbolizer):
     return environment
 
 
+def unnamed(environment):
+    """The same without names in stacks: looking them up takes longer than most restarts, and what fails is run again to be filed."""
+    return dict(environment, ASAN_OPTIONS=environment["ASAN_OPTIONS"] + ":symbolize=0", UBSAN_OPTIONS=environment["UBSAN_OPTIONS"] + ":symbolize=0")
+
+
 class Slice(threading.Thread):
     """Runs one target in one variant for some seconds. `live` may be read at any time."""
 
     def __init__(self, name, variant, seconds):
         super().__init__(daemon=True, name=f"{name}/{variant}")
         self.target, self.variant, self.seconds = name, variant, seconds
-        self.live = {"runs": 0, "coverage": 0, "features": 0, "corpus": 0, "rate": 0, "new": 0}
-        self.points = []  # (seconds since the start, coverage, features), at most one a second
+        self.live = {"coverage": 0, "features": 0, "corpus": 0, "rate": 0, "new": 0}
         self.started = time.monotonic()
         self.executions = 0
+        self.processor = 0.0  # seconds that the processes which ended had a core
         self.artifacts = []
-        self.elapsed = 0.0
+        self._filed = 0
         self.trouble = ""
+        self._merging = False
+        self.fed = False  # whether what others found has been read
+        self._elapsed = None
         self._process = None
+        self._ending = threading.Lock()  # a process that is reaped under it cannot be signalled any more
         self._stopping = False
+        self._told = {}
+
+    def run(self):
+        try:
+            self.work()
+        except OSError as error:
+            self.trouble = f"{self.target} ({self.variant}): {error}"
+        self._elapsed = time.monotonic() - self.started
+
+    @property
+    def elapsed(self):
+        return time.monotonic() - self.started if self._elapsed is None else self._elapsed
+
+    def take_figures(self):
+        """What came in since this was last asked."""
+        now = {"executions": self.executions, "seconds": self.elapsed, "processor": self.processor, "new": self.live["new"]}
+        news = {k: v - self._told.get(k, 0) for k, v in now.items()}
+        self._told = now
+        return news
+
+    def take_artifacts(self):
+        """Those that came since this was last asked."""
+        news = self.artifacts[self._filed:]
+        self._filed += len(news)
+        return news
+
+    def _spawn(self, command, **how):
+        with self._ending:
+            self._process = subprocess.Popen(command, start_new_session=True, **how)
+        if self._stopping:
+            self.stop()
+        return self._process
+
+    def _reap(self):
+        """Waits for the process; its status. Its time and its children's are added up."""
+        p = self._process
+        os.waitid(os.P_PID, p.pid, os.WEXITED | os.WNOWAIT)
+        with self._ending:
+            _, status, used = os.wait4(p.pid, 0)
+            p.returncode = os.waitstatus_to_exitcode(status)
+        self.processor += used.ru_utime + used.ru_stime
+        return p.returncode
+
+    def _signal(self, number):
+        with self._ending:
+            if self._process and self._process.returncode is None:
+                os.killpg(self._process.pid, number)
 
     def stop(self):
         """Ends the process in a way that lets it write its last figures."""
         self._stopping = True
-        p = self._process
-        if p and p.poll() is None:
-            p.send_signal(signal.SIGINT)
+        # A merge would begin anew after SIGINT; it has no figures to write.
+        self._signal(signal.SIGKILL if self._merging else signal.SIGINT)
 
     def kill_if_late(self, grace):
-        p = self._process
-        if p and p.poll() is None and time.monotonic() - self.started > self.seconds + grace:
-            p.kill()
+        if self.elapsed > self.seconds + grace:
+            self._stopping = True
+            self._signal(signal.SIGKILL)
 
 
 class LibFuzzerSlice(Slice):
-    def __init__(self, name, variant, seconds, command, environment, log):
-        super().__init__(name, variant, seconds)
-        self._command, self._environment, self._log = command, environment, log
+    """libFuzzer ends at its first find; the slice then goes on with what is left of its time. An input of the corpus that fails already
+    while it is read is left out: `leave_out(artifact)` does that, and tells whether there was one. `feed` is a command that merges
+    what others found into the corpus, None when there is nothing; `command(seconds)` is the fuzzer's."""
 
-    def run(self):
-        try:
-            with open(self._log, "a", errors="replace") as log:
-                log.write(" ".join(self._command) + "\n")
-                self._process = subprocess.Popen(self._command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                                                 errors="replace", env=self._environment, start_new_session=True)
-                if self._stopping:
-                    self.stop()
-                tail = []
-                for line in self._process.stderr:
-                    self._take(line)
-                    status = line.startswith("#")
-                    if not status:
-                        tail = (tail + [line])[-6:]
-                    if not status or "INITED" in line or "DONE" in line:
-                        log.write(line)
-                code = self._process.wait()
-            self.elapsed = time.monotonic() - self.started
-            self.executions = max(self.executions, self.live["runs"])
-            if code != 0 and not self.artifacts and not self._stopping:
-                self.trouble = f"{self.target} ({self.variant}) ended with status {code}: " + " ".join("".join(tail).split())[:300]
-        except OSError as error:
-            self.elapsed = time.monotonic() - self.started
-            self.trouble = f"{self.target} ({self.variant}): {error}"
+    HOPELESS = 5  # ends in a row before the corpus was read, without an input to leave out
+
+    def __init__(self, name, variant, seconds, command, feed, leave_out, environment, log, value_profile=False):
+        super().__init__(name, variant, seconds)
+        self._command, self._feed, self._leave_out, self._environment, self._log = command, feed, leave_out, environment, log
+        self.value_profile = value_profile
+        self._before = 0  # executions of the processes that ended
+        self._read = False  # whether this process has read its corpus
+
+    def work(self):
+        with open(self._log, "a", errors="replace") as log:
+            if self._feed:
+                self._merging = True
+                self.fed = self._follow(self._feed, log, self._take_artifact) == 0
+                self._merging = False
+            hopeless = 0
+            while not self._stopping and self.elapsed <= max(0, self.seconds - 1) and hopeless < self.HOPELESS:
+                known, self._read = len(self.artifacts), False
+                code = self._follow(self._command(self.seconds - self.elapsed), log, self._take)
+                self._before = self.executions
+                if code == 0 or self._stopping:
+                    return
+                if len(self.artifacts) == known:
+                    self.trouble = f"{self.target} ({self.variant}) ended with status {code}: " + " ".join("".join(self._tail).split())[:300]
+                    return
+                left_out = [self._leave_out(path) for path in self.artifacts[known:]]
+                hopeless = 0 if self._read or any(left_out) else hopeless + 1
+            if hopeless:
+                self.trouble = f"{self.target} ({self.variant}) fails before it has read its corpus; see {self._log}"
+
+    def _follow(self, command, log, take):
+        """Runs a command to its end, gives every line of it to `take`; its status."""
+        log.write(" ".join(command) + "\n")
+        p = self._spawn(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace", env=self._environment)
+        self._tail = []
+        with p.stderr:
+            for line in p.stderr:
+                take(line)
+                status = line.startswith("#")
+                if not status:
+                    self._tail = (self._tail + [line])[-6:]
+                if not status or "INITED" in line or "DONE" in line:
+                    log.write(line)
+        return self._reap()
 
     def _take(self, line):
         status = parse_status(line)
         if status:
-            self.live.update({k: status[k] for k in ("runs", "coverage", "features", "corpus", "rate")})
+            self.live.update({k: status[k] for k in ("coverage", "features", "corpus", "rate")})
             self.live["new"] += status["kind"] == "NEW"
-            now = time.monotonic() - self.started
-            if not self.points or status["coverage"] > self.points[-1][1]:
-                self.points.append((now, status["coverage"], status["features"]))
+            self._read = self._read or status["kind"] == "INITED"
+            self.executions = max(self.executions, self._before + status["runs"])
             return
         m = _FINAL.match(line)
         if m:
-            self.executions = int(m.group(1))
+            self.executions = max(self.executions, self._before + int(m.group(1)))
+        self._take_artifact(line)
+
+    def _take_artifact(self, line):
         m = _ARTIFACT.search(line)
         if m and "slow-unit-" not in m.group(1):
             self.artifacts.append(m.group(1))
 
 
-class AflSlice(Slice):
-    """AFL++ on the same executable interface; it reads the shared corpus and its finds go back into it."""
-
-    def __init__(self, name, seconds, afl, program, inputs, work, corpus, crashes, dictionary, log):
-        super().__init__(name, "afl", seconds)
-        self._afl, self._program, self._inputs, self._work = afl, program, inputs, work
-        self._corpus, self._crashes, self._dictionary, self._log = corpus, crashes, dictionary, log
-
-    def run(self):
-        queue = self._work / "default"
-        taken = set(os.listdir(self._corpus))
-        start = self._work / "start"
-        shutil.rmtree(start, ignore_errors=True)
-        start.mkdir(parents=True)
-        for folder in self._inputs:
-            for path in sorted(Path(folder).iterdir()):
-                if path.is_file() and path.stat().st_size:
-                    shutil.copy(path, start / path.name)
-        if not any(start.iterdir()):
-            (start / "first").write_bytes(b"\0")
-        command = [self._afl["fuzz"], "-V", str(max(1, int(self.seconds))), "-i", str(start), "-o", str(self._work), "-t", "10000"]
-        if self._dictionary:
-            command += ["-x", str(self._dictionary)]
-        command += ["--", str(self._program)]
-        environment = dict(os.environ, AFL_NO_UI="1", AFL_SKIP_CPUFREQ="1", AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES="1", AFL_NO_AFFINITY="1",
-                           AFL_QUIET="1", AFL_AUTORESUME="0", AFL_FAST_CAL="1")
-        try:
-            with open(self._log, "ab") as log:
-                self._process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, env=environment, start_new_session=True)
-                if self._stopping:
-                    self.stop()
-                while self._process.poll() is None:
-                    self._read_stats(queue / "fuzzer_stats")
-                    time.sleep(0.5)
-            self._read_stats(queue / "fuzzer_stats")
-        except OSError as error:
-            self.trouble = f"{self.target} (afl): {error}"
-        self.elapsed = time.monotonic() - self.started
-        self.executions = self.live["runs"]
-        self._collect(queue, taken)
-        if self._process and self._process.returncode not in (0, None) and not self._stopping and not self.live["runs"]:
-            self.trouble = f"{self.target} (afl) ended with status {self._process.returncode}; see {self._log}"
-
-    def _read_stats(self, path):
-        try:
-            stats = dict((k.strip(), v.strip()) for k, _, v in (line.partition(":") for line in path.read_text().splitlines()))
-            self.live.update(runs=int(stats["execs_done"]), rate=int(float(stats["execs_per_sec"])), corpus=int(stats["corpus_count"]))
-        except (OSError, KeyError, ValueError, OverflowError):  # not written yet, half written, or a rate of inf
-            pass
-
-    def _collect(self, queue, taken):
-        import hashlib
-        for folder, out in ((queue / "queue", self._corpus), (queue / "crashes", self._crashes), (queue / "hangs", self._crashes)):
-            for path in sorted(folder.glob("id:*")) if folder.is_dir() else ():
-                octets = path.read_bytes()
-                name = hashlib.sha1(octets).hexdigest()
-                if out == self._crashes:
-                    kind = "timeout" if folder.name == "hangs" else "crash"
-                    place = out / f"{self.target}-{kind}-{name}"
-                    place.write_bytes(octets)
-                    self.artifacts.append(str(place))
-                elif name not in taken:
-                    (out / name).write_bytes(octets)
-                    self.live["new"] += 1
-        shutil.rmtree(queue, ignore_errors=True)
+def libfuzzer_command(program, corpus, dictionary, artifacts, seconds, value_profile):
+    command = [str(program), str(corpus), *_limits(artifacts, seconds), "-print_final_stats=1", "-reload=1",
+               "-use_value_profile=" + ("1" if value_profile else "0")]
+    return command + ([f"-dict={dictionary}"] if dictionary else [])
 
 
-def libfuzzer_command(program, corpus, extra_folders, seed_list, dictionary, artifacts, seconds, value_profile):
-    command = [str(program), str(corpus), *map(str, extra_folders), f"-max_total_time={max(1, int(seconds))}", "-print_final_stats=1",
-               "-reload=1", "-timeout=10", "-rss_limit_mb=2048", "-max_len=4096", "-use_value_profile=" + ("1" if value_profile else "0"),
-               f"-artifact_prefix={artifacts}"]
-    if dictionary:
-        command.append(f"-dict={dictionary}")
-    if seed_list:
-        command.append(f"-seed_inputs=@{seed_list}")
-    return command
+def merge_command(program, into, folders, artifacts, seconds):
+    """Adds to `into` what the folders add to its coverage. It survives inputs that fail, and what it takes stays: seeds that are only read
+    are forgotten when the slice ends."""
+    return [str(program), "-merge=1", *_limits(artifacts, seconds), str(into), *map(str, folders)]
+
+
+def _limits(artifacts, seconds):
+    return [f"-max_total_time={max(1, round(seconds))}", "-timeout=10", "-rss_limit_mb=2048", f"-max_len={MAX_LENGTH}", f"-artifact_prefix={artifacts}"]

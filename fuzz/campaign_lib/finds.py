@@ -1,107 +1,44 @@
-"""What becomes of an input that fails: which fault is it, how small can it get, what does it say."""
+"""Filing what fails: one folder per fault, further inputs of it beside the first, and a second look once the library was mended."""
 import hashlib
-import re
+import itertools
 import shutil
 import subprocess
 import time
 from pathlib import Path
 
-_FRAME = re.compile(r"^\s*#\d+ 0x[0-9a-f]+ in (.+?) (\S+?)(?::(\d+))?(?::\d+)?$")
-_HARNESS = ("fuzzer::", "__asan", "__ubsan", "__sanitizer", "__interceptor", "__libc", "_start", "main", "abort", "raise", "gsignal", "pthread_kill",
-            "LLVMFuzzer", "trama::fuzz::require", "__pthread_kill")
+from .explain import explain, hexdump
+from .shrink import shrink
+from .signature import signature
+
+MORE = 5  # further inputs kept of one fault: what looks like it may be another
+ALIKE = 8  # finds of one target with the same title; inputs beyond them go to the first one's
 
 
-def _plain(function):
-    """A function's name without template arguments and parameters, which differ between instances of one fault."""
-    out, depth = "", 0
-    for c in function.replace("operator()", "operator_call").replace("(anonymous namespace)", "anonymous"):
-        if c in "<([":
-            depth += 1
-        elif c in ">)]":
-            depth -= 1
-        elif depth == 0:
-            out += c
-    return out.replace(" const", "").strip().split(" ")[-1]
+def open_finds(finds):
+    return {ident: f for ident, f in finds.items() if f.get("state", "open") == "open"}
 
 
-def stack_of(output):
-    """The innermost frames that belong to the library or the target, as "function file:line"."""
-    frames = []
-    for line in output.splitlines():
-        m = _FRAME.match(line)
-        if m:
-            name = _plain(m.group(1))
-            if name and not any(name.startswith(h) or h in name for h in _HARNESS):
-                frames.append((name, Path(m.group(2)).name, m.group(3) or "?"))
-        elif frames and not line.strip():
-            break
-    return frames
+def inputs_of(folder):
+    """The files of a find's folder that fail, the minimised one first."""
+    return [p for p in (folder / "input", folder / "original", *sorted(folder.glob("more/*"))) if p.is_file()]
 
 
-def signature(output, target):
-    """(title, key) of a failed run: two inputs with one key show one fault. None when the output tells of no failure."""
-    m = re.search(r"property broken: (.*)", output)
-    if m:
-        return m.group(1).strip(), f"property {target}: {re.sub(r'[0-9]+', 'N', m.group(1).strip())}"
-    where = stack_of(output)
-    place = " < ".join(name for name, _, _ in where[:3])
-    m = re.search(r"(\S+?):(\d+):\d+: runtime error: (.*)", output)
-    if m:
-        what = f"{m.group(3).strip()} at {Path(m.group(1)).name}:{m.group(2)}"
-        return what, f"ubsan {re.sub(r'-?[0-9]+', 'N', m.group(3))} {Path(m.group(1)).name} {place}"
-    m = re.search(r"ERROR: (AddressSanitizer|LeakSanitizer|MemorySanitizer): ([\w-]+)", output)
-    if m:
-        top = f" in {where[0][0]} ({where[0][1]}:{where[0][2]})" if where else ""
-        return m.group(2) + top, f"{m.group(2)} {place}"
-    m = re.search(r"ERROR: libFuzzer: ([\w-]+)", output)
-    if m:
-        top = f" in {where[0][0]}" if where else ""
-        return m.group(1) + top, f"libfuzzer {m.group(1)} {place if m.group(1) != 'timeout' else target}"
-    m = re.search(r"(Assertion .* failed)", output)
-    if m:
-        return m.group(1), m.group(1)
-    return None
+def digest(path):
+    return hashlib.sha1(Path(path).read_bytes()).hexdigest()
 
 
-def shrink(octets, still_fails, seconds, now=time.monotonic):
-    """Delta debugging: the smallest input found in time for which `still_fails` holds. First pieces go, then octets become 0."""
-    end = now() + seconds
-    size = max(1, len(octets) // 2)
-    while octets and now() < end:
-        at, gone = 0, False
-        while at < len(octets) and now() < end:
-            shorter = octets[:at] + octets[at + size:]
-            if still_fails(shorter):
-                octets, gone = shorter, True
-            else:
-                at += size
-        if size == 1 and not gone:
-            break
-        size = max(1, size // 2)
-    for at in range(len(octets)):
-        if now() >= end:
-            break
-        if octets[at] != 0:
-            plainer = octets[:at] + b"\0" + octets[at + 1:]
-            if still_fails(plainer):
-                octets = plainer
-    return octets
-
-
-def hexdump(octets):
-    rows = []
-    for at in range(0, len(octets), 16):
-        row = octets[at:at + 16]
-        rows.append(f"{at:06x}  {row.hex(' '):<47}  {''.join(chr(o) if 32 <= o < 127 else '.' for o in row)}")
-    return "\n".join(rows) or "(empty)"
+def open_inputs(out, finds):
+    """Digests of all inputs that are known to fail: nothing is to start from them."""
+    return {digest(p) for f in open_finds(finds).values() for p in inputs_of(Path(out) / f["folder"])}
 
 
 class Finder:
-    """Turns raw artifacts into finds. `programs(target, variant)` gives an executable or None, `tool` is the trama program or None."""
+    """Turns raw artifacts into finds. `programs(target, variant)` gives an executable or None, `tool` is the trama program or None,
+    `stop` tells whether to hurry: what is left undone then is marked, and done by `finish` at the next start."""
 
-    def __init__(self, out, state, programs, tool, environment, source, adopt, say):
+    def __init__(self, out, state, programs, tool, environment, source, adopt, say, stop=lambda: False):
         self._out, self._state, self._programs, self._tool = Path(out), state, programs, tool
-        self._environment, self._source, self._adopt, self._say = environment, Path(source), adopt, say
+        self._environment, self._source, self._adopt, self._say, self._stop = environment, Path(source), adopt, say, stop
 
     def run(self, program, path, seconds=20):
         try:
@@ -123,7 +60,9 @@ class Finder:
                 return variant, title, key, output
         return None, "does not fail again", f"not reproduced {target}", ""
 
-    def take(self, target, artifact, stop=lambda: False):
+    # Filing
+
+    def take(self, target, artifact):
         """Files one artifact: a new find, or one more input of a known one. The new find's id, or None."""
         artifact = Path(artifact)
         if not artifact.is_file():
@@ -134,35 +73,55 @@ class Finder:
             self._say(f"{target}: slow once, not again: {artifact.name}")
             artifact.unlink()
             return None
-        ident = hashlib.sha1(key.encode()).hexdigest()[:10]
+        ident = self._place(target, title, key)
+        if ident in self._state.finds:
+            self._one_more(ident, target, artifact)
+            return None
+        self._file(ident, target, artifact.read_bytes(), variant, title, key, output)
+        artifact.unlink()
+        return ident
+
+    def _place(self, target, title, key):
+        """The id under which a failure belongs: an open find's, or a new one. A closed one stays closed: what fails now is another fault."""
+        known = open_finds(self._state.finds)
+        same = [i for i, f in known.items() if f.get("key") == key]
+        alike = [i for i, f in known.items() if f["target"] == target and f["title"] == title]
+        if same or len(alike) >= ALIKE:
+            return (same or alike)[0]
+        name = hashlib.sha1(key.encode()).hexdigest()[:10]
+        return next(i for i in itertools.chain([name], (f"{name}-{n}" for n in itertools.count(2))) if i not in self._state.finds)
+
+    def _one_more(self, ident, target, artifact):
+        find = self._state.finds[ident]
+        folder = self._out / find["folder"]
+        name = digest(artifact)
+        if len(list(folder.glob("more/*"))) < MORE and digest(artifact) not in map(digest, inputs_of(folder)):
+            (folder / "more").mkdir(parents=True, exist_ok=True)
+            shutil.copy(artifact, folder / "more" / f"{target}-{digest(artifact)}")
         with self._state.lock:
-            known = self._state.finds.get(ident)
-            if known:
-                known["count"] += 1
-                known["targets"] = sorted({*known["targets"], target})
-                self._state.save()
-                artifact.unlink()
-                return None
-        original = artifact.read_bytes()
-        small = original
-        if variant and "timeout" not in key and not stop():
-            small = self._shrink(target, variant, key, original, stop)
+            find["count"] += 1
+            find["targets"] = sorted({*find["targets"], target})
+            self._state.save()
+        artifact.unlink()
+
+    def _file(self, ident, target, original, variant, title, key, output):
+        shrinks = variant is not None and "timeout" not in key
+        small = self._shrink(target, variant, key, original) if shrinks else original
         folder = self._out / "finds" / f"{target}-{ident}"
         self._write(folder, target, ident, title, variant, original, small, output)
         with self._state.lock:
-            self._state.finds[ident] = {"target": target, "targets": [target], "title": title, "variant": variant, "count": 1, "size": len(small),
-                                        "original_size": len(original), "folder": str(folder.relative_to(self._out)), "found": time.time()}
+            self._state.finds[ident] = {
+                "target": target, "targets": [target], "title": title, "key": key, "variant": variant, "count": 1, "size": len(small), "state": "open",
+                "original_size": len(original), "folder": str(folder.relative_to(self._out)), "found": time.time(), "to_minimise": shrinks and self._stop()}
             self._state.save()
-        artifact.unlink()
         self._say(f"find {target}-{ident}: {title} ({len(small)} octets)")
-        return ident
 
-    def _shrink(self, target, variant, key, octets, stop):
+    def _shrink(self, target, variant, key, octets):
         program = self._programs(target, variant)
         trial = self._out / "raw" / f".trial-{target}"
 
         def still_fails(candidate):
-            if stop():
+            if self._stop():
                 return False
             trial.write_bytes(candidate)
             code, output = self.run(program, trial)
@@ -173,33 +132,15 @@ class Finder:
         trial.unlink(missing_ok=True)
         return small
 
-    def explain(self, target, path):
-        """The input in words: trama's own decode of what it puts on the wire."""
-        octets = Path(path).read_bytes()
-        text = [f"{len(octets)} octets of input:", hexdump(octets), ""]
-        if target.endswith("_text"):
-            return "\n".join(text + ["As text:", octets.decode(errors="backslashreplace"), ""])
-        printer = self._programs(target, "coverage")
-        if not printer or not self._tool:
-            return "\n".join(text)
-        wire = subprocess.run([str(printer), "--wire", str(path)], capture_output=True, timeout=20, start_new_session=True)
-        form = target.split("_")[0]
-        command = [str(self._tool), "decode", form] + ([] if form == "can" else ["--hex"])
-        decoded = subprocess.run(command, input=wire.stdout, capture_output=True, timeout=20, start_new_session=True)
-        text += ["On the wire:", wire.stdout.decode(errors="replace").strip(), "", f"As `trama decode {form}` reads it:",
-                 decoded.stdout.decode(errors="backslashreplace").strip() or "(nothing)", ""]
-        return "\n".join(text)
-
     def _write(self, folder, target, ident, title, variant, original, small, output):
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
+        folder.mkdir(parents=True, exist_ok=True)
         (folder / "input").write_bytes(small)
         (folder / "original").write_bytes(original)
         if variant and small != original:
             output = self.run(self._programs(target, variant), folder / "input")[1] or output
         (folder / "output.txt").write_text(output)
         try:
-            explanation = self.explain(target, folder / "input")
+            explanation = explain(target, folder / "input", self._programs(target, "coverage"), self._tool)
         except (OSError, subprocess.SubprocessError) as error:
             explanation = f"no explanation: {error}\n\n{hexdump(small)}\n"
         (folder / "explanation.txt").write_text(f"{target}: {title}\n\n{explanation}")
@@ -211,3 +152,51 @@ class Finder:
         for place in places:
             place.mkdir(parents=True, exist_ok=True)
             (place / ident).write_bytes(small)
+
+    # At the next start
+
+    def replay(self):
+        """Runs the open finds again and closes those that are mended. Their inputs that still fail go back to raw/, to be filed anew."""
+        for ident, find in list(open_finds(self._state.finds).items()):
+            if self._stop():
+                return
+            if self._programs(find["target"], "checked"):
+                self._look_again(ident, find)
+
+    def _look_again(self, ident, find):
+        target, path = find["target"], self._out / find["folder"] / "input"
+        variant, _, key, _ = self.examine(target, path) if path.is_file() else (None, "", "", "")
+        if variant is None and find["variant"] is None:
+            return  # it never failed twice; only a person can close it
+        if variant and key == find.setdefault("key", key):
+            return
+        self._close(ident, find)
+        self._say(f"closed {target}-{ident}: its input " + ("shows another fault now" if variant else "passes now"))
+        for path in inputs_of(self._out / find["folder"]):
+            owner = path.name.rpartition("-")[0] or target
+            if self._programs(owner, "checked") and self.examine(owner, path)[0]:
+                shutil.copy(path, self._out / "raw" / f"{owner}-crash-{digest(path)}")
+
+    def _close(self, ident, find):
+        folder = self._out / find["folder"]
+        closed = self._out / "finds" / "closed" / folder.name
+        closed.parent.mkdir(parents=True, exist_ok=True)
+        if folder.is_dir():
+            shutil.rmtree(closed, ignore_errors=True)
+            folder.rename(closed)
+        with self._state.lock:
+            find.update(state="mended", closed=time.time(), folder=str(closed.relative_to(self._out)))
+            self._state.save()
+
+    def finish(self):
+        """Minimises what an interrupted campaign had no time for."""
+        for ident, find in list(open_finds(self._state.finds).items()):
+            folder, target, variant = self._out / find["folder"], find["target"], find["variant"]
+            if self._stop() or not find.get("to_minimise") or not self._programs(target, variant):
+                continue
+            small = self._shrink(target, variant, find["key"], (folder / "input").read_bytes())
+            output = (folder / "output.txt").read_text(errors="replace")
+            self._write(folder, target, ident, find["title"], variant, (folder / "original").read_bytes(), small, output)
+            with self._state.lock:
+                find.update(size=len(small), to_minimise=self._stop())
+                self._state.save()

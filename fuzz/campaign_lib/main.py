@@ -4,9 +4,8 @@ import queue
 import signal
 import sys
 import threading
-import time
 
-from . import corpus, display, engine, finds, options, report, schedule, state, toolchain
+from . import corpus, display, engine, finds, finishing, fuzzing, options, provenance, report, state, toolchain
 
 
 class Campaign:
@@ -19,15 +18,14 @@ class Campaign:
         self.tools = toolchain.find(o.engine)
         o.out.mkdir(parents=True, exist_ok=True)
         self._only_one()
-        self.state = state.State(o.out, o.time, self.names)
+        code = {"commit": provenance.commit(o.source), "digest": provenance.digest(o.source, toolchain.description(self.tools))}
+        self.state = state.State(o.out, o.time, self.names, code)
         self.programs = {}
-        self.running = []
         self.artifacts = queue.Queue()
         self.environment = engine.sanitizer_environment(self.tools["symbolizer"])
-        if o.empty_corpus:
-            self.environment["TRAMA_FUZZ_PLAIN"] = "1"
-        for name in ("corpus", "raw", "finds", "regressions", "logs", "afl"):
+        for name in ("corpus", "raw", "finds", "regressions", "logs", "afl", "feed"):
             (o.out / name).mkdir(exist_ok=True)
+        self._begin_empty()
         for name in self.names:
             corpus.repair(self.corpus(name))
 
@@ -38,6 +36,17 @@ class Campaign:
         except OSError:
             raise toolchain.CannotRun(f"another campaign is running in {self.o.out}") from None
 
+    def _begin_empty(self):
+        """With --empty-corpus what is there must have grown from nothing; without it, it has not from now on."""
+        if self.o.empty_corpus:
+            self.environment["TRAMA_FUZZ_PLAIN"] = "1"
+            if not self.state.data["empty_corpus"] and any(map(corpus.count, (self.o.out / "corpus").iterdir())):
+                raise toolchain.CannotRun(f"{self.o.out / 'corpus'} holds inputs of a campaign that had seeds, so this one would not start from an empty "
+                                          "corpus; choose another --out, or remove that folder")
+        self.state.data["empty_corpus"] = self.o.empty_corpus
+
+    # Where things are
+
     def corpus(self, name):
         return self.o.out / "corpus" / name
 
@@ -47,15 +56,22 @@ class Campaign:
     def program(self, name, variant):
         return self.programs.get((name, variant))
 
+    def seeds(self, name):
+        return [] if self.o.empty_corpus else corpus.seed_folders(self.o.source, name)
+
+    def dictionary(self, name):
+        return None if self.o.empty_corpus else corpus.dictionary(self.o.source, name)
+
     def siblings(self, name):
         """Corpora of the other targets that read the same kind of input."""
         mine = corpus.group(self.o.source, name)
         folders = sorted((self.o.out / "corpus").iterdir())
         return [f for f in folders if f.is_dir() and f.suffix == "" and f.name != name and corpus.group(self.o.source, f.name) == mine]
 
-    # Building
+    # From start to end
 
     def build(self):
+        self.building = True
         variants = ["fast", "checked", "coverage"] + (["afl"] if self.tools["afl"] else [])
         for variant in variants:
             self.show.stage(f"building the {variant} variant of {len(self.names)} targets")
@@ -65,182 +81,42 @@ class Campaign:
                 self.programs[name, variant] = toolchain.executable(folder, f"fuzz_{name}")
             if variant == "coverage":
                 self.programs["tool", variant] = toolchain.executable(folder, "trama")
+        self.building = False
 
-    # Fuzzing
+    def _file_finds(self, finder):
+        """In a thread of its own: first what an interrupted campaign left undone, then what comes in."""
+        self._attempt("the known finds", finder.finish)
+        while (item := self.artifacts.get()) is not None:
+            self._attempt(item[1], finder.take, *item)
 
-    def _start(self, name, seconds):
-        t = self.state.target(name)
-        busy = sum(s.target == name for s in self.running)
-        variant = schedule.variant_of(t["slices"] + busy, self.tools["afl"] is not None)
-        seeds = [] if self.o.empty_corpus else corpus.seed_folders(self.o.source, name)
-        words = None if self.o.empty_corpus else corpus.dictionary(self.o.source, name)
-        program = self.program(name, variant)
-        if variant == "afl":
-            if any(s.target == name and s.variant == "afl" for s in self.running):
-                variant, program = "fast", self.program(name, "fast")
-            else:
-                inputs = [self.corpus(name), *seeds]
-                s = engine.AflSlice(name, seconds, self.tools["afl"], program, inputs, self.o.out / "afl" / name, self.corpus(name),
-                                    self.o.out / "raw", words, self.log(name))
-        if variant != "afl":
-            fresh = corpus.newer_than(self.siblings(name), t["fed_at"])
-            seed_list = None
-            if fresh:
-                seed_list = self.o.out / "logs" / f"{name}.feed"
-                seed_list.write_text(",".join(fresh))
-            command = engine.libfuzzer_command(program, self.corpus(name), seeds, seed_list, words, f"{self.o.out}/raw/{name}-",
-                                               seconds, value_profile=t["slices"] % 4 == 2)
-            s = engine.LibFuzzerSlice(name, variant, seconds, command, self.environment, self.log(name))
-        t["fed_at"] = time.time()
-        s.base = t["seconds"]
-        s.start()
-        self.running.append(s)
-
-    def _collect(self):
-        for s in [s for s in self.running if not s.is_alive()]:
-            self.running.remove(s)
-            with self.state.lock:
-                self._take_points(s)
-                self.state.add_slice(s.target, s.variant, s.executions, s.elapsed)
-                self.state.target(s.target)["new"] += s.live["new"]
-            for path in s.artifacts:
-                self.artifacts.put((s.target, path))
-            if s.trouble:
-                self.show.say(s.trouble)
-
-    def _take_points(self, s):
-        # The variants count different edges; one of them makes the curve.
-        if s.variant == "fast":
-            while s.points:
-                at, coverage, features = s.points.pop(0)
-                self.state.add_point(s.target, s.base + at, coverage, features)
-
-    def _rows(self):
-        rows = []
-        for name in self.names:
-            t = self.state.target(name)
-            live = [s for s in self.running if s.target == name]
-            rows.append({"name": name, "running": [s.variant for s in live], "rate": sum(s.live["rate"] for s in live),
-                         "executions": t["executions"] + sum(s.live["runs"] for s in live), "coverage": t["coverage"],
-                         "corpus": corpus.count(self.corpus(name)), "new": t["new"] + sum(s.live["new"] for s in live),
-                         "finds": sum(name in f["targets"] for f in list(self.state.finds.values())),
-                         "seconds": t["seconds"] + sum(time.monotonic() - s.started for s in live)})
-        return rows
-
-    def fuzz(self):
-        total = self.state.data["left"]
-        last_save = last = time.monotonic()
-        while self.state.data["left"] > 0 and not self.stop:
-            while len(self.running) < self.o.jobs:
-                seconds = {n: self.state.target(n)["seconds"] for n in self.names}
-                busy = {}
-                for s in self.running:
-                    busy[s.target] = busy.get(s.target, 0) + 1
-                    seconds[s.target] += time.monotonic() - s.started
-                length = schedule.slice_seconds(total, self.o.jobs, len(self.names))
-                self._start(schedule.next_target(self.names, seconds, busy), min(length, max(1, self.state.data["left"])))
-            time.sleep(0.25)
-            now = time.monotonic()
-            self.state.data["left"] -= now - last
-            self.state.data["fuzzed"] += now - last
-            last = now
-            with self.state.lock:
-                for s in self.running:
-                    self._take_points(s)
-                    s.kill_if_late(60)
-            self._collect()
-            if now - last_save > 5:
-                self.state.save()
-                last_save = now
-            self.show.update(self._rows(), self.state.data["left"], self.state.data["asked"], len(self.state.finds))
-        for s in self.running:
-            s.stop()
-        for s in self.running:
-            s.join(20)
-        self._collect()
-        self.state.save()
-
-    # Finds, in a thread of their own
-
-    def _file_finds(self):
-        finder = finds.Finder(self.o.out, self.state, self.program, self.program("tool", "coverage"), self.environment, self.o.source,
-                              self.o.adopt, self.show.say)
-        while True:
-            item = self.artifacts.get()
-            if item is None:
-                return
-            try:
-                finder.take(*item, stop=lambda: self.stop)
-            except Exception as error:  # one odd input must not end the campaign; it stays in raw/ for the next start
-                self.show.say(f"could not file {item[1]}: {error}")
+    def _attempt(self, what, work, *arguments):
+        try:
+            work(*arguments)
+        except Exception as error:  # one odd input must not end the campaign; it stays in raw/ for the next start
+            self.show.say(f"could not file {what}: {error}")
 
     def _leftovers(self):
-        """Artifacts of a campaign that was killed before it could file them."""
+        """Artifacts that a killed campaign could not file any more, and those of closed finds that show another fault."""
         for path in sorted((self.o.out / "raw").iterdir()):
             for kind in ("crash", "timeout", "oom", "leak"):
                 name, found, _ = path.name.partition(f"-{kind}-")
                 if found and name in self.names:
                     self.artifacts.put((name, str(path)))
 
-    # Afterwards
-
-    def _watch(self, process, seconds):
-        """Waits for a process and ends it when the campaign is stopped; its status, or None."""
-        end = time.monotonic() + seconds
-        while process.poll() is None:
-            if self.stop or time.monotonic() > end:
-                process.kill()
-                process.wait()
-                return None
-            time.sleep(0.05)
-        return process.returncode
-
-    def _in_parallel(self, what, work):
-        left = list(self.names)
-        lock = threading.Lock()
-
-        def worker():
-            while not self.stop:
-                with lock:
-                    if not left:
-                        return
-                    name = left.pop(0)
-                try:
-                    work(name)
-                except Exception as error:
-                    self.show.say(f"{what} {name}: {error}")
-
-        threads = [threading.Thread(target=worker, daemon=True) for _ in range(self.o.jobs)]
-        for t in threads:
-            t.start()
-        for t in threads:
-            while t.is_alive():
-                t.join(0.2)
-
-    def _minimise(self, name):
-        others = self.siblings(name) + ([] if self.o.empty_corpus else corpus.seed_folders(self.o.source, name))
-        if not corpus.minimise(self.program(name, "fast"), self.corpus(name), others, self.environment, self.log(name), 120, self._watch):
-            if not self.stop:
-                self.show.say(f"{name}: the corpus could not be minimised and stays as it is; see {self.log(name)}")
-
-    def _measure(self, name):
-        covered = corpus.line_coverage(self.tools, self.program(name, "coverage"), [self.corpus(name)], self.o.source,
-                                       self.o.out / "build" / "profiles", self._watch)
-        if covered:
-            with self.state.lock:
-                self.state.target(name).update(covered)
-
-    def finish(self):
-        if not self.stop:
-            self.show.stage("merging and minimising the corpora")
-            self._in_parallel("minimising", self._minimise)
-            # Only now: until here they read each other's.
-            for name in self.names if not self.stop else ():
-                corpus.swap(self.corpus(name))
-        if not self.stop and self.tools["cov"] and self.tools["profdata"]:
-            self.show.stage("measuring the lines that the corpora reach")
-            self._in_parallel("measuring", self._measure)
-        self.state.save()
+    def fuzz(self):
+        finder = finds.Finder(self.o.out, self.state, self.program, self.program("tool", "coverage"), self.environment, self.o.source,
+                              self.o.adopt, self.show.say, lambda: self.stop)
+        if self.state.open_finds():
+            self.show.stage(f"replaying the open finds, {len(self.state.open_finds())}")
+            self._attempt("the known finds", finder.replay)
+        self._leftovers()
+        filer = threading.Thread(target=self._file_finds, args=(finder,), daemon=True)
+        filer.start()
+        if self.state.data["phase"] == "fuzzing":
+            fuzzing.Fuzzing(self, lambda target, path: self.artifacts.put((target, path))).run()
+        self.artifacts.put(None)
+        while filer.is_alive():
+            filer.join(0.2)
 
     def report(self):
         data = report.gather(self.state, self.o, self.names, self.tools, {n: corpus.count(self.corpus(n)) for n in self.state.data["targets"]})
@@ -255,25 +131,20 @@ class Campaign:
         self.show.say("stopping; once more ends at once")
 
     def run(self):
-        signal.signal(signal.SIGINT, self.on_signal)
-        signal.signal(signal.SIGTERM, self.on_signal)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) != signal.SIG_IGN:  # under nohup
+                signal.signal(number, self.on_signal)
         for line in toolchain.warnings(self.tools):
             self.show.say(line)
-        self.building = True
         self.build()
-        self.building = False
+        self.state.save()
         if self.state.resumed:
-            self.show.stage(f"resuming: {display.clock(self.state.data['left'])} left of {display.clock(self.state.data['asked'])}")
-        self._leftovers()
-        filer = threading.Thread(target=self._file_finds, daemon=True)
-        filer.start()
+            self.show.stage(f"resuming: {display.clock(self.state.data['left'])} left of {display.clock(self.state.data['asked'])}"
+                            if self.state.data["phase"] == "fuzzing" else f"resuming: {self.state.data['phase']} was not finished")
         self.fuzz()
-        self.artifacts.put(None)
-        while filer.is_alive():
-            filer.join(0.2)
-        self.finish()
+        finishing.Finishing(self).run()
         self.report()
-        return 130 if self.stop else 1 if self.state.finds else 0
+        return 130 if self.stop else 1 if self.state.open_finds() else 0
 
 
 def main(arguments=None):

@@ -15,3 +15,15 @@ def variant_of(turn, with_afl):
 def next_target(names, seconds, running):
     """The target with the least time so far, those not running now first. `running` counts processes per name."""
     return min(names, key=lambda n: (running.get(n, 0), seconds[n], names.index(n)))
+
+
+def to_come(seconds, left, jobs):
+    """Core seconds each target may still expect, from what each has had: the least served are filled up first."""
+    budget = max(0.0, left) * jobs
+    served = sorted(seconds.values())
+    level = 0.0
+    for count in range(1, len(served) + 1):
+        level = (budget + sum(served[:count])) / count
+        if count == len(served) or level <= served[count]:
+            break
+    return {name: max(0.0, level - had) for name, had in seconds.items()}

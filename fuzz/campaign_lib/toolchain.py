@@ -65,6 +65,12 @@ def find(engine="auto"):
     }
 
 
+def description(tools):
+    """Compiler and flags: with others the same sources count other edges."""
+    version = subprocess.run([tools["clang"], "--version"], capture_output=True, text=True).stdout.partition("\n")[0]
+    return " ".join([version, *FLAGS.values()])
+
+
 def warnings(tools):
     """What will be poorer for want of a tool, one sentence each."""
     lines = []
