@@ -54,8 +54,8 @@ class AflSlice(Slice):
         try:
             stats = dict((k.strip(), v.strip()) for k, _, v in (line.partition(":") for line in path.read_text().splitlines()))
             self.executions = max(self.executions, int(stats["execs_done"]))
-            self.live.update(rate=int(float(stats["execs_per_sec"])), corpus=int(stats["corpus_count"]))
-        except (OSError, KeyError, ValueError, OverflowError):  # not written yet, half written, or a rate of inf
+            self.live["corpus"] = int(stats["corpus_count"])
+        except (OSError, KeyError, ValueError):  # not written yet, or half written
             pass
 
     def _collect(self, queue, taken):

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from .engine import MAX_LENGTH, merge_command
+from .libfuzzer import MAX_LENGTH, merge_command
 
 
 def group(source, name):

@@ -1,9 +1,10 @@
 """The campaign's main part: slices of all targets side by side until the time is up."""
 import time
 
-from . import afl, corpus, engine, finds, schedule
+from . import afl, corpus, engine, finds, libfuzzer, schedule
 
 SAVE_EVERY = 5.0
+GRACE = 60.0  # for a slice that does not end by itself: one input may take 10 s, and the machine may be busy
 
 
 class Fuzzing:
@@ -27,7 +28,8 @@ class Fuzzing:
             self.state.data["fuzzed"] += now - last
             last = now
             for s in self._running:
-                s.kill_if_late(60)
+                if s.elapsed > s.seconds + GRACE:
+                    s.kill()
             self._collect()
             if now - last_save > SAVE_EVERY:
                 self.state.save()
@@ -40,6 +42,9 @@ class Fuzzing:
             s.stop()
         for s in self._running:
             s.join(20)
+            if s.is_alive():
+                s.kill()
+                s.join(5)
         self._collect()
         if self.state.data["left"] <= 0:
             self.state.data["phase"] = "merging"
@@ -80,9 +85,9 @@ class Fuzzing:
         feed = None if beside else self._feed(name, seconds, known, artifacts)
 
         def command(left):
-            return engine.libfuzzer_command(program, own, self.c.dictionary(name), artifacts, left, value_profile)
+            return libfuzzer.fuzz_command(program, own, self.c.dictionary(name), artifacts, left, value_profile)
 
-        return engine.LibFuzzerSlice(name, variant, seconds, command, feed, lambda artifact: corpus.leave_out(own, artifact),
+        return libfuzzer.LibFuzzerSlice(name, variant, seconds, command, feed, lambda artifact: corpus.leave_out(own, artifact),
                                      engine.unnamed(self.c.environment), self.c.log(name), value_profile)
 
     def _feed(self, name, seconds, known, artifacts):
@@ -91,7 +96,7 @@ class Fuzzing:
         folder = self.o.out / "feed" / name
         if not corpus.gather(fresh, folder, self.c.corpus(name), known):
             return None
-        return engine.merge_command(self.c.program(name, "fast"), self.c.corpus(name), [folder], artifacts, seconds)
+        return libfuzzer.merge_command(self.c.program(name, "fast"), self.c.corpus(name), [folder], artifacts, seconds)
 
     def _collect(self):
         for s in list(self._running):
@@ -124,7 +129,7 @@ class Fuzzing:
         for name in self.c.names:
             t = self.state.target(name)
             live = [s for s in self._running if s.target == name]
-            rows.append({"name": name, "running": [s.variant for s in live], "rate": sum(s.live["rate"] for s in live), "executions": t["executions"],
+            rows.append({"name": name, "running": [s.variant for s in live], "rate": sum(s.rate for s in live), "executions": t["executions"],
                          "coverage": t["coverage"], "corpus": corpus.count(self.c.corpus(name)), "new": t["new"],
                          "finds": sum(name in f["targets"] for f in known), "seconds": seconds[name], "left": to_come[name]})
         return rows

@@ -68,7 +68,8 @@ def gather(state, o, names, tools, corpus_sizes):
         "processor_seconds": round(sum(t["processor_seconds"] for t in targets), 1), "jobs": o.jobs, "chosen": names, "empty_corpus": o.empty_corpus,
         "machine": {"processor": _processor(), "cores": os.cpu_count(), "system": platform.system() + " " + platform.release()},
         "compiler": _first_line([tools["clang"], "--version"]),
-        "commit": state.data["code"]["commit"], "digest": state.data["code"]["digest"], "earlier": state.data["earlier"], "found_since": state.finds_since(state.data["since"]),
+        "commit": state.data["code"]["commit"], "digest": state.data["code"]["digest"], "earlier": state.data["earlier"],
+        "found_since": state.finds_since(state.data["since"]),
         "executions": sum(t["executions"] for t in targets), "targets": targets, "finds": finds, "mended": mended}
 
 

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from campaign_lib import corpus, display, engine, options, page, provenance, report, schedule, shrink, signature, state, toolchain
+from campaign_lib import corpus, display, libfuzzer, options, page, provenance, report, schedule, shrink, signature, state, toolchain
 
 STATUS = "#1048576\tREDUCE cov: 312 ft: 1501 corp: 207/31Kb lim: 4096 exec/s: 52428 rss: 61Mb L: 57/1024 MS: 2 CopyPart-Custom-"
 ASAN = """==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602 at pc 0x55 bp 0x7f sp 0x7e
@@ -70,9 +70,9 @@ class targets(unittest.TestCase):
 
 class reading_engines(unittest.TestCase):
     def test_status_lines(self):
-        self.assertEqual(engine.parse_status(STATUS),
+        self.assertEqual(libfuzzer.parse_status(STATUS),
                          {"runs": 1048576, "kind": "REDUCE", "coverage": 312, "features": 1501, "corpus": 207, "rate": 52428})
-        self.assertIsNone(engine.parse_status("INFO: Seed: 17"))
+        self.assertIsNone(libfuzzer.parse_status("INFO: Seed: 17"))
 
     def test_a_fault_is_named_by_its_stack(self):
         title, key = signature.signature(ASAN, "daisy_stream")
