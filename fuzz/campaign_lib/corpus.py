@@ -78,17 +78,16 @@ def _beside(corpus):
     return corpus.with_name(corpus.name + ".small"), corpus.with_name(corpus.name + ".old")
 
 
-def minimise(program, corpus, others, environment, log, timeout, watch):
-    """Puts the smallest set with the same coverage, taken from `corpus` and `others`, beside it for `swap`. False when it could not."""
+def minimise(program, corpus, others, artifacts, environment, log, timeout, watch):
+    """Puts the smallest set with the same coverage, taken from `corpus` and `others`, beside it for `swap`. False when it could not. Inputs that
+    fail are left out, and written to `artifacts`, the beginning of a path."""
     small, _ = _beside(corpus)
     shutil.rmtree(small, ignore_errors=True)
     small.mkdir(parents=True)
-    command = merge_command(program, small, [corpus, *others], f"{small.parent}/merge-{corpus.name}-", timeout)
+    command = merge_command(program, small, [corpus, *others], artifacts, timeout)
     with open(log, "ab") as f:
         p = subprocess.Popen(command, stdout=f, stderr=subprocess.STDOUT, env=environment, start_new_session=True)
         status = watch(p, timeout + 30)
-    for leftover in small.parent.glob(f"merge-{corpus.name}-*"):  # inputs that fail; the slices have reported them
-        leftover.unlink()
     if status == 0 and any(small.iterdir()):
         return True
     shutil.rmtree(small, ignore_errors=True)

@@ -5,6 +5,7 @@ import subprocess
 import threading
 import time
 
+
 def sanitizer_environment(symbolizer):
     environment = dict(os.environ)
     common = "symbolize=1:handle_abort=1:allocator_may_return_null=0"

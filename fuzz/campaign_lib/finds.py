@@ -166,18 +166,17 @@ class Finder:
     def _look_again(self, ident, find):
         target, path = find["target"], self._out / find["folder"] / "input"
         variant, _, key, _ = self.examine(target, path) if path.is_file() else (None, "", "", "")
-        if variant is None and find["variant"] is None:
-            return  # it never failed twice; only a person can close it
         if variant and key == find.setdefault("key", key):
             return
-        self._close(ident, find)
-        self._say(f"closed {target}-{ident}: its input " + ("shows another fault now" if variant else "passes now"))
+        why = "its input shows another fault now" if variant else "its input passes now" if find["variant"] else "it never failed a second time"
+        self._close(ident, find, why)
+        self._say(f"closed {target}-{ident}: {why}")
         for path in inputs_of(self._out / find["folder"]):
             owner = path.name.rpartition("-")[0] or target
             if self._programs(owner, "checked") and self.examine(owner, path)[0]:
                 shutil.copy(path, self._out / "raw" / f"{owner}-crash-{digest(path)}")
 
-    def _close(self, ident, find):
+    def _close(self, ident, find, why):
         folder = self._out / find["folder"]
         closed = self._out / "finds" / "closed" / folder.name
         closed.parent.mkdir(parents=True, exist_ok=True)
@@ -185,7 +184,7 @@ class Finder:
             shutil.rmtree(closed, ignore_errors=True)
             folder.rename(closed)
         with self._state.lock:
-            find.update(state="mended", closed=time.time(), folder=str(closed.relative_to(self._out)))
+            find.update(state="closed", why=why, closed=time.time(), folder=str(closed.relative_to(self._out)))
             self._state.save()
 
     def finish(self):

@@ -2,7 +2,7 @@
 import threading
 import time
 
-from . import corpus, finds
+from . import corpus, engine, finds
 
 
 class Finishing:
@@ -62,9 +62,10 @@ class Finishing:
 
     def _minimise(self, name):
         others = self.c.siblings(name) + self.c.seeds(name)
-        if not corpus.minimise(self.c.program(name, "fast"), self.c.corpus(name), others, self.c.environment, self.c.log(name), 120, self._watch):
-            if not self.c.stop:
-                self.c.show.say(f"{name}: the corpus could not be minimised and stays as it is; see {self.c.log(name)}")
+        done = corpus.minimise(self.c.program(name, "fast"), self.c.corpus(name), others, self.c.artifacts_of(name), engine.unnamed(self.c.environment),
+                               self.c.log(name), 120, self._watch)
+        if not done and not self.c.stop:
+            self.c.show.say(f"{name}: the corpus could not be minimised and stays as it is; see {self.c.log(name)}")
 
     def _measure_all(self):
         if self.c.tools["cov"] and self.c.tools["profdata"]:

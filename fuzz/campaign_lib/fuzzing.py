@@ -80,7 +80,7 @@ class Fuzzing:
                             self.o.out / "raw", self.c.dictionary(name), known, self.c.log(name))
 
     def _libfuzzer_slice(self, name, variant, seconds, known, beside):
-        own, program, artifacts = self.c.corpus(name), self.c.program(name, variant), f"{self.o.out}/raw/{name}-"
+        own, program, artifacts = self.c.corpus(name), self.c.program(name, variant), self.c.artifacts_of(name)
         value_profile = self.state.target(name)["slices"] % 4 == 2
         feed = None if beside else self._feed(name, seconds, known, artifacts)
 

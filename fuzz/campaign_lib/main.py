@@ -53,6 +53,10 @@ class Campaign:
     def log(self, name):
         return self.o.out / "logs" / f"{name}.log"
 
+    def artifacts_of(self, name):
+        """How the paths of inputs begin that fail; `_leftovers` finds them again."""
+        return f"{self.o.out}/raw/{name}-"
+
     def program(self, name, variant):
         return self.programs.get((name, variant))
 
@@ -84,7 +88,7 @@ class Campaign:
         self.building = False
 
     def _file_finds(self, finder):
-        """In a thread of its own: first what an interrupted campaign left undone, then what comes in."""
+        """Files first what an interrupted campaign left half done, then what comes in, until None does."""
         self._attempt("the known finds", finder.finish)
         while (item := self.artifacts.get()) is not None:
             self._attempt(item[1], finder.take, *item)
@@ -96,16 +100,14 @@ class Campaign:
             self.show.say(f"could not file {what}: {error}")
 
     def _leftovers(self):
-        """Artifacts that a killed campaign could not file any more, and those of closed finds that show another fault."""
+        """Artifacts that nobody has filed: a killed campaign's, those of closed finds that show another fault, those that merging came upon."""
         for path in sorted((self.o.out / "raw").iterdir()):
             for kind in ("crash", "timeout", "oom", "leak"):
                 name, found, _ = path.name.partition(f"-{kind}-")
                 if found and name in self.names:
                     self.artifacts.put((name, str(path)))
 
-    def fuzz(self):
-        finder = finds.Finder(self.o.out, self.state, self.program, self.program("tool", "coverage"), self.environment, self.o.source,
-                              self.o.adopt, self.show.say, lambda: self.stop)
+    def fuzz(self, finder):
         if self.state.open_finds():
             self.show.stage(f"replaying the open finds, {len(self.state.open_finds())}")
             self._attempt("the known finds", finder.replay)
@@ -117,6 +119,10 @@ class Campaign:
         self.artifacts.put(None)
         while filer.is_alive():
             filer.join(0.2)
+        finishing.Finishing(self).run()
+        self._leftovers()
+        self.artifacts.put(None)
+        self._file_finds(finder)
 
     def report(self):
         data = report.gather(self.state, self.o, self.names, self.tools, {n: corpus.count(self.corpus(n)) for n in self.state.data["targets"]})
@@ -141,8 +147,8 @@ class Campaign:
         if self.state.resumed:
             self.show.stage(f"resuming: {display.clock(self.state.data['left'])} left of {display.clock(self.state.data['asked'])}"
                             if self.state.data["phase"] == "fuzzing" else f"resuming: {self.state.data['phase']} was not finished")
-        self.fuzz()
-        finishing.Finishing(self).run()
+        self.fuzz(finds.Finder(self.o.out, self.state, self.program, self.program("tool", "coverage"), self.environment, self.o.source, self.o.adopt,
+                               self.show.say, lambda: self.stop))
         self.report()
         return 130 if self.stop else 1 if self.state.open_finds() else 0
 

@@ -86,9 +86,10 @@ def _find(f):
 
 def _finds(data):
     found = f'<p class="bad">{len(data["finds"])} open.</p>' if data["finds"] else "<p>None open.</p>"
-    rows = [[html.escape(f"{f['target']}-{f['id']}"), html.escape(f["title"]), html.escape(f["folder"])] for f in data["mended"]]
-    mended = "<h3>Mended</h3>" + _grid(("find", "what", "kept in"), rows) if rows else ""
-    return found + "".join(map(_find, data["finds"])) + mended
+    rows = [[html.escape(f"{f['target']}-{f['id']}"), html.escape(f["title"]), html.escape(f["why"]), html.escape(f["folder"])]
+            for f in data["closed"]]
+    closed = "<h3>Closed</h3>" + _grid(("find", "what", "why", "kept in"), rows) if rows else ""
+    return found + "".join(map(_find, data["finds"])) + closed
 
 
 def _earlier(data):

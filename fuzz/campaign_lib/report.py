@@ -47,20 +47,20 @@ def _targets(state, corpus_sizes):
 
 
 def _finds(state, out):
-    """The open ones with what is known of them, and the titles of those that are mended."""
+    """The open ones with what is known of them, and the titles of those that are closed."""
     known = open_finds(state.finds)
     finds = []
     for ident, f in sorted(known.items(), key=lambda item: item[1]["found"]):
         folder = Path(out) / f["folder"]
         texts = {k: (folder / k).read_text(errors="replace") if (folder / k).is_file() else "" for k in ("explanation.txt", "output.txt")}
         finds.append(dict(f, id=ident, more=len(list(folder.glob("more/*"))), explanation=texts["explanation.txt"], output=texts["output.txt"][:20000]))
-    mended = [{k: f.get(k) for k in ("target", "title", "found", "closed", "folder")} | {"id": i} for i, f in state.finds.items() if i not in known]
-    return finds, mended
+    closed = [{k: f.get(k, "") for k in ("target", "title", "why", "found", "closed", "folder")} | {"id": i} for i, f in state.finds.items() if i not in known]
+    return finds, closed
 
 
 def gather(state, o, names, tools, corpus_sizes):
     """Everything the report shows, as plain data."""
-    targets, (finds, mended) = _targets(state, corpus_sizes), _finds(state, o.out)
+    targets, (finds, closed) = _targets(state, corpus_sizes), _finds(state, o.out)
     return {
         "report": "trama fuzz campaign", "started": state.data["started"], "since": state.data["since"], "ended": time.time(), "rounds": state.data["rounds"],
         "asked_seconds": state.data["asked"], "left_seconds": max(0, round(state.data["left"], 1)), "fuzzed_seconds": round(state.data["fuzzed"], 1),
@@ -70,7 +70,7 @@ def gather(state, o, names, tools, corpus_sizes):
         "compiler": _first_line([tools["clang"], "--version"]),
         "commit": state.data["code"]["commit"], "digest": state.data["code"]["digest"], "earlier": state.data["earlier"],
         "found_since": state.finds_since(state.data["since"]),
-        "executions": sum(t["executions"] for t in targets), "targets": targets, "finds": finds, "mended": mended}
+        "executions": sum(t["executions"] for t in targets), "targets": targets, "finds": finds, "closed": closed}
 
 
 def summary(data):

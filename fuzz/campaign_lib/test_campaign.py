@@ -311,7 +311,7 @@ class showing(unittest.TestCase):
             s.add_point("can_stream", 10, 20)
             s.finds["ab"] = {"target": "can_stream", "targets": ["can_stream"], "title": "a < b", "variant": "fast", "count": 1, "size": 1,
                              "original_size": 9, "folder": "finds/x", "found": 1.0}
-            s.finds["cd"] = dict(s.finds["ab"], title="c > d", state="mended", closed=2.0)
+            s.finds["cd"] = dict(s.finds["ab"], title="c > d", state="closed", why="its input passes now", closed=2.0)
             s.data["earlier"] = [{"commit": "0a1b", "from": 1.0, "until": 2.0, "executions": 99, "core_seconds": 3.0, "processor_seconds": 0, "finds": 4}]
             o = argparse.Namespace(out=Path(out), jobs=1, empty_corpus=False, source=Path(out))
             data = report.gather(s, o, ["can_stream"], {"clang": "true"}, {"can_stream": 4})
@@ -324,7 +324,7 @@ class showing(unittest.TestCase):
             self.assertIn("c &gt; d", html)
             self.assertIn("0a1b", html)
             said = json.loads(Path(out, "report.json").read_text())
-            self.assertEqual((said["targets"][0]["corpus"], len(said["finds"]), len(said["mended"]), len(said["earlier"])), (4, 1, 1, 1))
+            self.assertEqual((said["targets"][0]["corpus"], len(said["finds"]), len(said["closed"]), len(said["earlier"])), (4, 1, 1, 1))
 
     def test_the_page_says_what_was_not_finished(self):
         for left, phase, words in ((5, "fuzzing", "stopped with 0:05 left"), (0, "merging", "before the corpora were merged"),

@@ -69,7 +69,7 @@ class filing(unittest.TestCase):
         self.assertEqual(set(self.state.open_finds()), {plum, pear})
         self.assertEqual((self.out / "finds" / f"t-{pear}" / "input").read_bytes(), b"pear")
         self.assertEqual((self.out / "finds" / "closed" / f"t-{apple}" / "input").read_bytes(), b"apple")
-        self.assertEqual(self.state.finds[apple]["state"], "mended")
+        self.assertEqual(self.state.finds[apple]["why"], "its input passes now")
         self.assertIsNone(self.take(b"pears"))
 
     def test_when_all_is_mended_nothing_is_open(self):
@@ -79,6 +79,13 @@ class filing(unittest.TestCase):
         self.finder.replay()
         self.assertEqual(self.state.open_finds(), {})
         self.assertEqual(list((self.out / "raw").iterdir()), [])
+
+    def test_what_never_failed_again_is_open_until_the_next_start(self):
+        ident = self.take(b"a stone")
+        self.assertIn(ident, self.state.open_finds())
+        self.finder.replay()
+        self.assertEqual(self.state.open_finds(), {})
+        self.assertEqual(self.state.finds[ident]["why"], "it never failed a second time")
 
     def test_a_find_without_a_key_of_an_older_state_stays_open(self):
         ident = self.take(b"an apple.")

@@ -34,8 +34,8 @@ class slices(unittest.TestCase):
             self.asked.append(left)
             return ["sh", "-c", turns[min(len(self.asked), len(turns)) - 1]]
 
-        return libfuzzer.LibFuzzerSlice("t", "fast", seconds, command, feed and ["sh", "-c", feed], lambda path: corpus.leave_out(self.out / "corpus", path), {},
-                                     self.out / "log")
+        return libfuzzer.LibFuzzerSlice("t", "fast", seconds, command, feed and ["sh", "-c", feed],
+                                        lambda path: corpus.leave_out(self.out / "corpus", path), {}, self.out / "log")
 
     def run_slice(self, *turns, **how):
         s = self.slice(turns, **how)
