@@ -115,7 +115,7 @@ def page(data):
     curves = "".join(f'<figure><figcaption>{html.escape(t["name"])}</figcaption>{curve(t["curve"], t["seconds"])}</figure>' for t in data["targets"])
     facts = " · ".join(html.escape(str(x)) for x in (
         f"commit {data['commit'] or 'unknown'}", f"{data['executions']:,} executions", f"{clock(data['core_seconds'])} of core time",
-        f"{clock(data['processor_seconds'])} of processor time", f"{data['found_since']} finds", f"{data['jobs']} processes",
+        f"{clock(data['processor_seconds'])} of processor time", f"{data['found_since']} new finds, {len(data['finds'])} open", f"{data['jobs']} processes",
         data["compiler"], data["machine"]["processor"], data["machine"]["system"]))
     return (f'<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1">'
             f"<title>trama fuzz campaign</title><style>{_STYLE}</style></head><body><h1>trama fuzz campaign</h1>"

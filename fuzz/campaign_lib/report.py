@@ -81,7 +81,7 @@ def summary(data):
         lines.append(f"{t['name']:<{width}} {t['executions']:>11} {_rate(t):>11} {t['coverage']:>6} {t['corpus']:>6} "
                      f"{percent(t['lines']):>7} {percent(t['branches']):>8} {len(t['finds']):>5}")
     lines.append(f"{data['executions']} executions in {clock(data['core_seconds'])} of core time ({clock(data['processor_seconds'])} of processor time) "
-                 f"on {data['commit'] or 'unknown code'}, {data['found_since']} finds in it; {len(data['finds'])} open")
+                 f"on {data['commit'] or 'unknown code'}, {data['found_since']} new finds, {len(data['finds'])} open")
     for f in data["finds"]:
         lines.append(f"  {f['target']}-{f['id']}: {f['title']} ({f['count']} times, {f['size']} octets) in {f['folder']}")
     return "\n".join(lines)
