@@ -152,6 +152,19 @@ void check_decodes_to(std::span<const typename F::unit> wire, const typename F::
     check_validation(m);
 }
 
+/// The other way of writing the same message, where the format has one.
+template <wire_format F, class M>
+void check_other_spelling(const typename F::envelope& e, const M& m) {
+    if constexpr (requires { traits<F>::other_spelling; }) {
+        std::array<typename F::unit, F::max_units> wire{};
+        const auto size = F::encode_unchecked(e, m, wire, traits<F>::other_spelling);
+        require(bool(size) == fits_wire(m), "both spellings refuse the same");
+        if (!size) return;
+        require(*size == F::encoded_size(m), "both spellings take the same room");
+        check_decodes_to<F>(std::span<const typename F::unit>(wire).first(*size), e, m);
+    }
+}
+
 /// octets → message → octets, for every packet in the input; and value → octets → value, the value drawn from the input.
 template <wire_format F>
 int roundtrip(std::span<const std::uint8_t> input) {
@@ -184,6 +197,7 @@ int roundtrip(std::span<const std::uint8_t> input) {
         bool valid = false;
         const auto wire = encode_checked<F>(e, m, valid);
         require(valid || strange, "a valid message encodes");
+        check_other_spelling<F>(e, m);
         if (!wire.empty() && traits<F>::evident(e, m)) check_decodes_to<F>(std::span<const unit>(wire), e, m);
     });
     return 0;

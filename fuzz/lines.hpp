@@ -32,14 +32,18 @@ text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const s
     text_lines lines;
     typename F::decoder decoder;
     const auto note = [&](const typename F::event& e) { lines.push_back(line_of<F>(e)); };
+    const auto feed = [&](std::span<const std::uint8_t> part) {
+        const exact<std::uint8_t> copy(part);
+        read<F>(decoder, copy.all(), note);
+    };
     std::size_t at = 0;
     for (const std::size_t stop : idle_at) {
-        read<F>(decoder, stream.subspan(at, stop - at), note);
+        feed(stream.subspan(at, stop - at));
         at = stop;
         if constexpr (requires { decoder.idle(); }) decoder.idle();
         read<F>(decoder, {}, note);
     }
-    read<F>(decoder, stream.subspan(at), note);
+    feed(stream.subspan(at));
     decoder.finish();
     read<F>(decoder, {}, note);
     return lines;

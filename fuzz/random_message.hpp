@@ -43,17 +43,53 @@ inline std::int64_t strange_number(const rule& r, std::int64_t low, std::int64_t
     return std::min(std::max(near[d.below(4)], low), high);
 }
 
+/// A value of type `V` that wire type `W` cannot carry; nothing where the wire carries all there is.
+template <class W, class V>
+std::optional<V> unfit_number() {
+    if constexpr (std::is_enum_v<V>) {
+        const auto n = unfit_number<W, std::underlying_type_t<V>>();
+        return n ? std::optional(static_cast<V>(*n)) : std::nullopt;
+    } else {
+        if (std::in_range<V>(W::high + 1)) return static_cast<V>(W::high + 1);
+        if (std::in_range<V>(W::low - 1)) return static_cast<V>(W::low - 1);
+        return std::nullopt;
+    }
+}
+
+/// Text that no frame may carry: too long, or with a character that is not printable, delimiters among them.
+template <std::size_t Columns>
+text<Columns> unfit_text(const text<Columns>& from, dice& d) {
+    if (d.one_in(4)) {
+        std::array<char, Columns + 1> longer{};
+        longer.fill('x');
+        return text<Columns>(std::string_view(longer.data(), longer.size()));
+    }
+    constexpr std::uint8_t foreign[] = {0x02, 0x03, 0x00, 0x1F, 0x7F, 0x80, 0xFF, '\n'};
+    text<Columns> t = from;
+    t.columns[d.below(Columns)] = static_cast<char>(foreign[d.below(std::size(foreign))]);
+    return t;
+}
+
 inline std::uint8_t random_character(dice& d) { return static_cast<std::uint8_t>(' ' + d.below(95)); }
 
-/// Gives one value something new, `strange` or allowed.
+/// Gives one value something new, allowed or `strange`: what the document does not allow, and now and then what not even the wire can carry.
 template <class W, class V>
 void randomize_value(V& v, const rule& own, bool strange, dice& d, arena& memory) {
+    if constexpr (requires { W::low; }) {
+        if (const auto unfit = unfit_number<W, V>(); strange && unfit && d.one_in(4)) {
+            v = *unfit;
+            return;
+        }
+    }
     if constexpr (requires { v.columns; }) {
         const std::size_t length = d.below(v.columns.size() + 1);
         for (std::size_t i = 0; i != v.columns.size(); ++i) v.columns[i] = static_cast<char>(i < length ? random_character(d) : ' ');
+        if (strange) v = unfit_text(v, d);
     } else if constexpr (requires { v.bytes(); }) {
-        const std::size_t room = std::min<std::size_t>(W::max_size, memory.bytes.size() - memory.used);
-        const std::size_t length = std::min(room, W::min + (d.one_in(8) ? d.below(W::max_size - W::min + 1) : d.below(12)));
+        const std::size_t room = memory.bytes.size() - memory.used;
+        std::size_t length = W::min + (d.one_in(8) ? d.below(W::max_size - W::min + 1) : d.below(std::min<std::size_t>(12, W::max_size - W::min + 1)));
+        if (strange && d.one_in(8)) length = W::min != 0 && d.one_in(2) ? W::min - 1 : W::max_size + 1;
+        length = std::min(room, length);
         const auto bytes = memory.take(length);
         for (auto& b : bytes) b = W::printed == wire::print::text && !strange ? random_character(d) : static_cast<std::uint8_t>(d.next());
         v = byte_view(bytes);

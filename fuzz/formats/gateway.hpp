@@ -11,6 +11,7 @@ struct traits<gateway::format> : octet_traits {
     /// No fault may cost an intact record: STX always begins one.
     static constexpr std::size_t recovery_bound = 0;
     static constexpr bool one_spelling = false;  ///< A message has but one body.
+    static constexpr gateway::justify other_spelling = gateway::justify::left;
 
     template <class M>
     static gateway::envelope envelope_for(dice&, bool = false) { return {}; }
