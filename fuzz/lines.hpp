@@ -1,21 +1,14 @@
 #pragma once
 // The command-line tool's lines, made in memory: what `trama decode` prints and what `trama encode` reads.
 #include <cstring>
-#include <optional>
-#include <string>
 
-#include "formats/can.hpp"
-#include "formats/daisy.hpp"
-#include "formats/gateway.hpp"
-#include "reference/reference.hpp"
+#include "reference_of.hpp"
 #include "samples.hpp"
 #include "tool/candump.hpp"
 #include "tool/encode_line.hpp"
 #include "tool/event_line.hpp"
 
 namespace trama::fuzz {
-
-using text_lines = std::vector<std::string>;
 
 template <wire_format F>
 std::string line_of(const typename F::event& e) {
@@ -100,19 +93,9 @@ std::optional<octets> library_encodes(std::string_view line, bool unchecked) {
     }
 }
 template <wire_format F>
-std::optional<octets> reference_encodes(std::string_view line, bool unchecked) {
-    if constexpr (std::is_same_v<F, daisy::format>) return trama_reference::daisy_encode(line, unchecked);
-    else if constexpr (std::is_same_v<F, gateway::format>) return trama_reference::gateway_encode(line, unchecked);
-    else {
-        const auto log = trama_reference::can_encode(line, unchecked);
-        if (!log) return std::nullopt;
-        return octets(log->begin(), log->end());
-    }
-}
-template <wire_format F>
 void check_encoders(std::string_view line) {
     for (const bool unchecked : {false, true}) {
-        const auto a = library_encodes<F>(line, unchecked), b = reference_encodes<F>(line, unchecked);
+        const auto a = library_encodes<F>(line, unchecked), b = reference_of<F>::encode(line, unchecked);
         if (a != b) std::fprintf(stderr, "line:      %.*s\nlibrary:   %s\nreference: %s\n", static_cast<int>(line.size()), line.data(),
                                  a ? std::string(a->begin(), a->end()).c_str() : tool::encode_line<F>(line, unchecked).error.c_str(),
                                  b ? std::string(b->begin(), b->end()).c_str() : "(refused)");

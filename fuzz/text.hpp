@@ -28,7 +28,7 @@ int text(std::span<const std::uint8_t> input) {
     std::string_view all(copy.all().data(), copy.all().size());
     if constexpr (std::is_same_v<F, can::format>) {
         if (all.starts_with('(')) {
-            require_same(library_can_lines(all, tool::per_second), trama_reference::can_lines(all, 1.0), "library and reference say the same about a log");
+            require_same(library_can_lines(all, tool::per_second), reference_of<F>::lines(all, 1.0), "library and reference say the same about a log");
             return 0;
         }
     }
