@@ -1,6 +1,7 @@
 // The vector code against the scalar reference, exhaustively where the space is small.
 #include <gtest/gtest.h>
 
+#include "laws/rng.hpp"
 #include "trama/core/ascii.hpp"
 #include "trama/core/column_map.hpp"
 
@@ -47,6 +48,38 @@ TEST(column_map, classifies_every_character_at_every_place_as_the_reference_does
             columns[at] = static_cast<std::uint8_t>(c);
             ASSERT_EQ(map_columns_vector(columns.data()), map_columns_scalar(columns.data())) << c << " at " << at;
         }
+}
+
+TEST(column_map, classifies_columns_of_many_kinds_as_the_reference_does) {
+    test::rng random(1);
+    for (int n = 0; n != 200000; ++n) {
+        std::array<std::uint8_t, 16> columns{};
+        for (auto& c : columns) c = static_cast<std::uint8_t>(random.below(4) == 0 ? random.below(256) : static_cast<unsigned>(kinds[random.below(kinds.size())]));
+        ASSERT_EQ(map_columns_vector(columns.data()), map_columns_scalar(columns.data())) << n;
+    }
+}
+
+template <std::size_t Count>
+void compare_few() {
+    test::rng random(Count);
+    for (int n = 0; n != 20000; ++n) {
+        std::array<std::uint8_t, Count> bytes{};
+        for (auto& b : bytes) b = static_cast<std::uint8_t>(random.within(0x20, 0x7E));
+        for (auto strays = random.below(3); strays != 0; --strays) bytes[random.below(Count)] = static_cast<std::uint8_t>(random.below(256));
+        ASSERT_EQ(few_printable_vector<Count>(bytes.data()), all_printable_scalar(bytes.data(), Count)) << n;
+    }
+}
+
+TEST(ascii, tells_of_eight_to_sixteen_characters_whether_all_are_printable) {
+    compare_few<8>();
+    compare_few<9>();
+    compare_few<10>();
+    compare_few<11>();
+    compare_few<12>();
+    compare_few<13>();
+    compare_few<14>();
+    compare_few<15>();
+    compare_few<16>();
 }
 
 TEST(ascii, finds_one_stray_character_wherever_it_stands) {
