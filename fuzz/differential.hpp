@@ -10,7 +10,7 @@ int differential(std::span<const std::uint8_t> input) {
     dice d(hash_of(input));
     text_lines lines;
     if constexpr (std::is_same_v<F, can::format>) {
-        constexpr std::uint64_t timeout = 50;
+        constexpr std::uint64_t timeout = traits<F>::patience;
         std::string log;
         for (const auto& f : traits<F>::timed_units_from(input, timeout)) log += traits<F>::log_line(f) + "\n";
         lines = library_can_lines(log, timeout * 1000);

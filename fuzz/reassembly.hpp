@@ -46,7 +46,7 @@ inline std::vector<heard> listen(std::span<const can::frame> frames, std::uint64
 
 inline int reassembly(std::span<const std::uint8_t> input) {
     using F = can::format;
-    constexpr std::uint64_t timeout = 50;
+    constexpr std::uint64_t timeout = traits<F>::patience;
     const auto frames = traits<F>::timed_units_from(input, timeout);
     const auto ticked = listen(frames, timeout, true);
     const auto quiet = listen(frames, timeout, false);

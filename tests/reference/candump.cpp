@@ -34,15 +34,17 @@ std::vector<std::string> words(std::string_view line) {
   return found;
 }
 
-// "(12.345678)"; digits behind the ninth are dropped.
+// "(12.345678)"; digits behind the ninth are dropped. At most 18000000000 seconds, as the tool's page says.
 std::optional<log_time> parse_time(const std::string& word) {
   if (word.size() < 2 || word.front() != '(' || word.back() != ')') return std::nullopt;
   const std::string inner = word.substr(1, word.size() - 2);
   const std::size_t point = inner.find('.');
   if (point == std::string::npos) return std::nullopt;
-  const std::string seconds = inner.substr(0, point);
+  std::string seconds = inner.substr(0, point);
   std::string fraction = inner.substr(point + 1);
-  if (!all_digits(seconds) || !all_digits(fraction) || seconds.size() > 18) return std::nullopt;
+  if (!all_digits(seconds) || !all_digits(fraction)) return std::nullopt;
+  seconds.erase(0, std::min(seconds.find_first_not_of('0'), seconds.size() - 1));
+  if (seconds.size() > 11 || std::stoull(seconds) > 18000000000ULL) return std::nullopt;
   fraction.resize(9, '0');
   return log_time{std::stoull(seconds), std::stoull(fraction)};
 }
