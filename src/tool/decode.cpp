@@ -7,7 +7,7 @@
 
 #include "tool/event_line.hpp"
 #include "tool/hex.hpp"
-#include "tool/lines.hpp"
+#include "tool/log_decoder.hpp"
 #include "tool/output.hpp"
 #include "tool/progress.hpp"
 #include "tool/ranges.hpp"
@@ -20,7 +20,7 @@ namespace {
 template <wire_format F>
 class printer {
 public:
-    printer(typename F::decoder decoder, bool text) : decoder_(decoder), notation_(text ? notation::plain : notation::json) {}
+    explicit printer(bool text) : notation_(text ? notation::plain : notation::json) {}
 
     void feed(std::span<const typename F::unit> units) {
         read<F>(decoder_, units, [&](const typename F::event& e) {
@@ -35,13 +35,7 @@ public:
         feed({});
         out_.flush();
     }
-    void note(std::string_view line) {
-        out_.write(line);
-        at_fault_ = true;
-    }
     void flush() { out_.flush(); }
-    typename F::decoder& decoder() { return decoder_; }
-    notation style() const { return notation_; }
     int status() const { return at_fault_ ? input_at_fault : all_well; }
 
 private:
@@ -70,7 +64,7 @@ private:
 
 template <wire_format F>
 int decode_bytes(const options& o, input& in) {
-    printer<F> p({}, o.text);
+    printer<F> p(o.text);
     hex_reader hex;
     hex_complaints complaints;
     progress shown(in.size());
@@ -95,34 +89,25 @@ int decode_bytes(const options& o, input& in) {
 }
 
 int decode_can(const options& o, input& in) {
-    printer<can::format> p(can::reassembler({can::central_master, can::master_1, can::master_2}, o.timeout), o.text);
-    line_reader lines;
-    const auto take = [&](std::string_view line, bool too_long) {
-        const auto frame = too_long ? std::nullopt : parse_candump(line);
-        if (!frame) {
-            const std::string n = number(lines.number());
-            return p.note(p.style() == notation::json ? "{\"protocol\":\"can\",\"line\":" + n + ",\"error\":\"bad_line\"}\n" : "protocol=can line=" + n + " error=bad_line\n");
-        }
-        p.decoder().tick(frame->time);
-        p.decoder().seek(lines.number());
-        p.feed({&*frame, 1});
-    };
+    output out(STDOUT_FILENO);
+    const auto emit = [&](std::string_view line) { out.write(line); };
+    log_printer log(o);
     progress shown(in.size());
     std::uint64_t done = 0;
     for (auto bytes = in.read(); !bytes.empty(); bytes = in.read()) {
         shown.at(done += bytes.size());
-        lines.read(bytes, take);
-        p.flush();
+        log.read(bytes, emit);
+        out.flush();
     }
-    lines.finish(take);
-    p.finish();
-    return p.status();
+    log.finish(emit);
+    out.flush();
+    return log.at_fault() ? input_at_fault : all_well;
 }
 
 }  // namespace
 
 int decode(const options& o) {
-    if (o.ranged || (o.jobs > 1 && o.protocol != protocol::can)) return decode_parts(o);
+    if (o.ranged || o.jobs > 1) return decode_parts(o);
     input in(o.file);
     if (!in.error().empty()) {
         complain("decode: ", o.file, ": ", in.error());

@@ -13,6 +13,9 @@ class line_reader {
 public:
     static constexpr std::size_t longest = 1 << 16;
 
+    /// `before` lines precede the stream.
+    explicit line_reader(std::uint64_t before = 0) noexcept : number_(before) {}
+
     /// Calls `f(line, too_long)` for every line that `bytes` completes; of one that is too long, its beginning.
     void read(std::span<const unsigned char> bytes, auto&& f) {
         while (!bytes.empty()) {
@@ -41,7 +44,7 @@ private:
         too_long_ = false;
     }
     std::string line_;
-    std::uint64_t number_ = 0;
+    std::uint64_t number_;
     bool open_ = false;  ///< Bytes of a line without its end have come.
     bool too_long_ = false;
 };

@@ -14,12 +14,12 @@ namespace trama::tool {
 namespace {
 
 template <class F>
-bool decode_range(const options& o, const random_file& file, notation style) {
+bool decode_range(const options& o, const random_file& file) {
     const seam begin = seam_at<F>(file, o.from), end = seam_at<F>(file, o.to);
     if (begin.place >= end.place) return false;
     output out(STDOUT_FILENO);
     progress shown(end.place - begin.join);
-    part_decoder<F> decoder(file, style, begin);
+    part_decoder<F> decoder(file, o, begin);
     const auto show = [&](std::uint64_t at) { shown.at(at - begin.join); return true; };
     try {
         decoder.run(end, [&](std::string_view line) { out.write(line); }, show);
@@ -33,9 +33,9 @@ bool decode_range(const options& o, const random_file& file, notation style) {
 
 /// Decodes parts as long as there are any.
 template <class F>
-void work(turns& all, const random_file& file, notation style) {
+void work(turns& all, const random_file& file, const options& o) {
     while (const auto p = all.take()) {
-        part_decoder<F> decoder(file, style, p->begin);
+        part_decoder<F> decoder(file, o, p->begin);
         const auto emit = [&](std::string_view line) { all.add(*p, line); };
         const auto go_on = [&](std::uint64_t at) { p->reached = at; return all.wanted(*p); };
         try {
@@ -58,11 +58,11 @@ void work(turns& all, const random_file& file, notation style) {
 
 /// On several cores. With fewer threads than asked for if no more can be started.
 template <class F>
-bool decode_jobs(const options& o, const random_file& file, notation style) {
+bool decode_jobs(const options& o, const random_file& file) {
     constexpr std::uint64_t block = std::uint64_t{1} << 17;
-    const auto find = [&](std::uint64_t from) {
+    const auto find = [&](const seam& before, std::uint64_t from) {
         try {
-            return seam_at<F>(file, from);
+            return seam_behind<F>(file, before, from);
         } catch (const read_fault&) {
             return seam{file.size(), file.size()};  // the part's decoder meets the fault in its turn
         }
@@ -70,7 +70,7 @@ bool decode_jobs(const options& o, const random_file& file, notation style) {
     turns all(file.size(), block, 2 * std::size_t{o.jobs}, find);
     const auto run = [&] {
         try {
-            work<F>(all, file, style);
+            work<F>(all, file, o);
         } catch (...) {
             all.stop(std::current_exception());
         }
@@ -86,10 +86,13 @@ bool decode_jobs(const options& o, const random_file& file, notation style) {
     return all.result();
 }
 
-template <class F>
 bool decode_file(const options& o, const random_file& file) {
-    const notation style = o.text ? notation::plain : notation::json;
-    return o.ranged ? decode_range<F>(o, file, style) : decode_jobs<F>(o, file, style);
+    switch (o.protocol) {
+        case protocol::daisy: return o.ranged ? decode_range<daisy::format>(o, file) : decode_jobs<daisy::format>(o, file);
+        case protocol::gateway: return o.ranged ? decode_range<gateway::format>(o, file) : decode_jobs<gateway::format>(o, file);
+        case protocol::can: break;
+    }
+    return decode_jobs<can::format>(o, file);
 }
 
 }  // namespace
@@ -101,8 +104,7 @@ int decode_parts(const options& o) {
         return failed;
     }
     try {
-        const bool at_fault = o.protocol == protocol::daisy ? decode_file<daisy::format>(o, file) : decode_file<gateway::format>(o, file);
-        return at_fault ? input_at_fault : all_well;
+        return decode_file(o, file) ? input_at_fault : all_well;
     } catch (const read_fault& why) {
         complain(why.what());
     } catch (const std::bad_alloc&) {

@@ -15,7 +15,7 @@ void turns::cut(std::unique_lock<std::mutex>& lock) {
     const seam begin = next_;
     lock.unlock();
     // From the last seam on, so that a stretch without any is searched once.
-    const seam end = find_(std::max(begin.join + block_, begin.place + 1));
+    const seam end = find_(begin, std::max(begin.join + block_, begin.place + 1));
     auto p = std::make_shared<part>();
     p->begin = begin;
     p->end = end;

@@ -32,6 +32,26 @@ def gateway_traffic(dice, records):
     return bytes(stream)
 
 
+def can_traffic(dice, messages):
+    """A log of messages of one to three frames, interleaved by identifier; now and then a frame is lost, doubled or late, a line is none."""
+    starts = {"46": (8, 8, 8), "41": (5,), "43": (8, 2)}
+    left = {identifier: [] for identifier in ("080", "081", "082", "123")}
+    lines, now = [], 0
+    while messages:
+        identifier = dice.choice(list(left))
+        if not left[identifier]:
+            messages -= 1
+            letter = dice.choice(list(starts))
+            left[identifier] = [bytes((1, dice.randrange(200))) + bytes.fromhex(letter) + dice.randbytes(starts[letter][0] - 3)]
+            left[identifier] += [dice.randbytes(size) for size in starts[letter][1:]]
+        now += 3000000 if dice.random() < 0.002 else dice.randrange(2000)
+        line = f"({now // 1000000}.{now % 1000000:06}) can0 {identifier}#{left[identifier].pop(0).hex().upper()}"
+        if dice.random() < 0.01:
+            line = dice.choice(("", "nonsense", line + "\n" + line, line[:-1]))
+        lines.append(line)
+    return ("\n".join(lines) + dice.choice(("", "\n"))).encode()
+
+
 class Parts(unittest.TestCase):
     def setUp(self):
         self.dice = random.Random(4)
@@ -57,6 +77,22 @@ class Parts(unittest.TestCase):
 
     def test_gateway(self):
         self.check("gateway", gateway_traffic(self.dice, 40000))
+
+    def test_can(self):
+        for messages in (1, 3000, 60000):
+            with open(self.path, "wb") as file:
+                file.write(can_traffic(self.dice, messages))
+            for options in ([], ["--timeout", "0.5"], ["--format", "text"]):
+                whole = trama("decode", "can", *options, self.path)
+                self.assertIn(b"define_function" if messages > 1 else b"line", whole.out)
+                for jobs in ("2", "5"):
+                    self.assertEqual(trama("decode", "can", "--jobs", jobs, *options, self.path), whole)
+
+    def test_a_log_without_line_ends(self):
+        for stream in (b"x" * (3 << 20), b"\n" * (1 << 20)):
+            with open(self.path, "wb") as file:
+                file.write(stream)
+            self.assertEqual(trama("decode", "can", "--jobs", "2", self.path), trama("decode", "can", self.path))
 
     def test_many_megabytes_without_a_seam(self):
         for protocol in ("daisy", "gateway"):
@@ -87,12 +123,6 @@ class Parts(unittest.TestCase):
             for parts in ("1", "5"):
                 run = subprocess.run([script, TRAMA, protocol, self.path, parts], capture_output=True, timeout=HANG, check=False)
                 self.assertEqual((run.returncode, run.stdout, run.stderr), (whole.status, whole.out, b""))
-
-    def test_jobs_on_can_print_the_same(self):
-        log = b"".join(b"(%d.0) can0 081#0102%02X\n" % (i, 0x52) for i in range(100))
-        with open(self.path, "wb") as file:
-            file.write(log)
-        self.assertEqual(trama("decode", "can", "--jobs", "2", self.path), trama("decode", "can", self.path))
 
     def test_usage(self):
         for words in (("daisy", "--range", "0:1"), ("daisy", "--range", "5:1", "f"), ("daisy", "--range", "5", "f"),
