@@ -67,7 +67,7 @@ std::size_t mutate_body(std::uint8_t* data, std::size_t size, std::size_t max_si
     std::size_t action = size == 0 ? 0 : d.below(10);
     if (action >= 2 && action < 6) {
         input = changed_body<F>(input, d);
-        if (std::ranges::equal(input, std::span(data, size))) action = 0;
+        if (std::equal(input.begin(), input.end(), data, data + size)) action = 0;
     }
     if (action < 2) {
         input = random_body<F>(static_cast<std::uint8_t>(d.below(F::messages::count) | (d.one_in(4) ? 0x80U : 0U)), d.one_in(2), d);
