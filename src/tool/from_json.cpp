@@ -38,8 +38,7 @@ std::optional<std::int64_t> shifted_number(std::string_view text, int shift) {
     return negative ? -n : n;
 }
 
-}  // namespace
-
+/// The characters of valid UTF-8 as one byte each; false if one lies beyond U+00FF.
 bool as_bytes(std::string_view text, std::vector<std::uint8_t>& out) {
     for (std::size_t i = 0; i != text.size(); ++i) {
         const auto c = static_cast<std::uint8_t>(text[i]);
@@ -48,6 +47,8 @@ bool as_bytes(std::string_view text, std::vector<std::uint8_t>& out) {
     }
     return true;
 }
+
+}  // namespace
 
 std::optional<std::int64_t> whole_number(const json_value& v) {
     return v.type == json_value::kind::number ? shifted_number(v.text, 0) : std::nullopt;

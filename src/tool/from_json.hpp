@@ -10,8 +10,6 @@
 
 namespace trama::tool {
 
-/// The characters of valid UTF-8 as one byte each; false if one lies beyond U+00FF.
-bool as_bytes(std::string_view text, std::vector<std::uint8_t>& out);
 /// A whole number that JSON wrote as such.
 std::optional<std::int64_t> whole_number(const json_value& v);
 /// A number with at most one decimal, in tenths.

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "tool/candump.hpp"
-#include "tool/event_line.hpp"
 #include "tool/lines.hpp"
-#include "tool/options.hpp"
+#include "trama/can/format.hpp"
 
 namespace trama::tool {
 
@@ -37,41 +36,6 @@ private:
 
     line_reader lines_;
     can::reassembler reassembler_;
-};
-
-/// Prints what a log says.
-class log_printer {
-public:
-    explicit log_printer(const options& o, std::uint64_t lines = 0) : decoder_(o.timeout, lines), style_(o.text ? notation::plain : notation::json) {}
-
-    void read(std::span<const unsigned char> bytes, auto&& emit) {
-        decoder_.read(bytes, [&](const can::event& e) { print(e, emit); }, [&](std::uint64_t number) { note(number, emit); });
-    }
-    void finish(auto&& emit) {
-        decoder_.finish([&](const can::event& e) { print(e, emit); }, [&](std::uint64_t number) { note(number, emit); });
-    }
-    bool settled() const noexcept { return decoder_.settled(); }
-    bool at_fault() const noexcept { return at_fault_; }
-
-private:
-    void print(const can::event& e, auto& emit) {
-        text_sink line(line_);
-        at_fault_ = print_event<can::format>(line, e, style_) || at_fault_;
-        line << '\n';
-        emit(line.view());
-    }
-    void note(std::uint64_t number, auto& emit) {
-        text_sink line(line_);
-        if (style_ == notation::json) line << "{\"protocol\":\"can\",\"line\":" << number << ",\"error\":\"bad_line\"}\n";
-        else line << "protocol=can line=" << number << " error=bad_line\n";
-        at_fault_ = true;
-        emit(line.view());
-    }
-
-    log_decoder decoder_;
-    notation style_;
-    bool at_fault_ = false;
-    std::array<char, longest_line> line_;
 };
 
 }  // namespace trama::tool

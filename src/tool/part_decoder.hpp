@@ -1,53 +1,9 @@
 #pragma once
 
-#include "tool/event_line.hpp"
-#include "tool/seam.hpp"
+#include "tool/random_file.hpp"
+#include "tool/stream_printer.hpp"
 
 namespace trama::tool {
-
-/// Prints what a stream of octets says from a seam on.
-template <class F>
-class stream_printer {
-public:
-    stream_printer(const options& o, const seam& begin) : style_(o.text ? notation::plain : notation::json), begin_(begin) { decoder_.seek(begin.join); }
-
-    void read(std::span<const std::uint8_t> bytes, auto&& emit) {
-        trama::read<F>(decoder_, bytes, [&](const typename F::event& e) {
-            if (e.offset < begin_.place) return;
-            text_sink line(line_);
-            at_fault_ = print_event<F>(line, e, style_) || at_fault_;
-            line << '\n';
-            emit(line.view());
-        });
-    }
-    void finish(auto&& emit) {
-        decoder_.finish();
-        read({}, emit);
-    }
-    /// Whether who joins at the seam `end`, up to which all was read, goes on as this decoder would.
-    bool agrees(const seam& end, auto&& emit) {
-        if constexpr (is_daisy<F>) return decoder_.settled() && decoder_.offset() == end.place;
-        const std::uint8_t mark = gateway::stx;  // what stands there ends what came before
-        read({&mark, 1}, emit);
-        return true;
-    }
-    bool at_fault() const { return at_fault_; }
-
-private:
-    notation style_;
-    seam begin_;
-    bool at_fault_ = false;
-    typename F::decoder decoder_;
-    std::array<char, longest_line> line_;
-};
-
-/// The same for a log.
-template <>
-class stream_printer<can::format> : public log_printer {
-public:
-    stream_printer(const options& o, const seam& begin) : log_printer(o, begin.lines) {}
-    bool agrees(const seam&, auto&&) const { return settled(); }
-};
 
 /// Decodes a file from a seam on.
 template <class F>

@@ -62,9 +62,9 @@ bool decode_jobs(const options& o, const random_file& file) {
     constexpr std::uint64_t block = std::uint64_t{1} << 17;
     const auto find = [&](const seam& before, std::uint64_t from) {
         try {
-            return seam_behind<F>(file, before, from);
+            return seam_at<F>(file, from, before);
         } catch (const read_fault&) {
-            return seam{file.size(), file.size()};  // the part's decoder meets the fault in its turn
+            return seam{file.size(), file.size(), 0};  // the part's decoder meets the fault in its turn
         }
     };
     turns all(file.size(), block, 2 * std::size_t{o.jobs}, find);

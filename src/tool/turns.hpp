@@ -31,7 +31,8 @@ class turns {
 public:
     using search = std::function<seam(const seam& before, std::uint64_t from)>;
 
-    /// Parts of some `block` bytes, at most `most` of them at a time, from each other at the seams that `find` gives, which is asked from the first to the last.
+    /// Parts of some `block` bytes, at most `most` of them at a time, from each other at the seams that `find` gives, each
+    /// asked for with the one before it.
     turns(std::uint64_t size, std::uint64_t block, std::size_t most, search find)
         : size_(size), block_(block), most_(most), find_(std::move(find)), shown_(size) {}
 
