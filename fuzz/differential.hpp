@@ -14,7 +14,7 @@ int differential(std::span<const std::uint8_t> input) {
         std::string log;
         for (const auto& f : traits<F>::timed_units_from(input, timeout)) log += traits<F>::log_line(f) + "\n";
         lines = library_can_lines(log, timeout * 1000);
-        require_same(lines, reference_of<F>::lines(log, 50e-6), "library and reference say the same about a log");
+        require_same(lines, reference_of<F>::lines(log, static_cast<double>(timeout) * 1e-6), "library and reference say the same about a log");
     } else {
         lines = library_lines<F>(input);
         require_same(lines, reference_of<F>::lines(input, {}), "library and reference say the same about a stream");

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "census.hpp"
+#include "choice.hpp"
 #include "random_message.hpp"
 #include "trama/core/print.hpp"
 #include "transcript.hpp"
@@ -41,17 +42,12 @@ void check_validation(const M& m) {
     }
 }
 
-/// One body, typed: the first octet chooses the message, the rest is the body, cut or filled to the right size on request.
-/// Of the rest 1024 octets count, several times what any packet holds.
+/// One body, typed.
 template <wire_format F>
 int decode_one(std::span<const std::uint8_t> input) {
     if (input.empty()) return 0;
-    const std::size_t choice = input[0] & 0x7F;
-    const bool fitted = (input[0] & 0x80) != 0;
-    F::messages::at(choice % F::messages::count, [&]<class M>() {
-        const auto rest = input.subspan(1);
-        octets bytes(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(rest.size(), 1024)));
-        if (M::layout.fixed && fitted) bytes.resize(M::layout.size, ' ');
+    at_choice<F>(input[0], [&]<class M>() {
+        const octets bytes = body_in<M>(input);
         const exact<std::uint8_t> body{std::span<const std::uint8_t>(bytes)};
         M m{};
         const error e = load_body(body.all(), m);
@@ -61,7 +57,7 @@ int decode_one(std::span<const std::uint8_t> input) {
             return;
         }
         require(body_size(m) == bytes.size(), "a message takes as many octets as it was read from");
-        census<F>::note(choice % F::messages::count);
+        census<F>::note(chosen<F>(input[0]));
         check_validation(m);
         check_printing(m);
         if (!fits_wire(m)) return;

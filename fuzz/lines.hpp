@@ -4,9 +4,9 @@
 
 #include "reference_of.hpp"
 #include "samples.hpp"
-#include "tool/candump.hpp"
 #include "tool/encode_line.hpp"
 #include "tool/event_line.hpp"
+#include "tool/log_decoder.hpp"
 
 namespace trama::fuzz {
 
@@ -42,25 +42,14 @@ text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const s
     return lines;
 }
 
-/// What the library says about a candump log, timed and numbered as the tool does it.
+/// What the library says about a candump log.
 inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout) {
     text_lines lines;
-    can::reassembler r({can::central_master, can::master_1, can::master_2}, timeout);
     const auto note = [&](const can::event& e) { lines.push_back(line_of<can::format>(e)); };
-    for (std::uint64_t number = 1; !log.empty(); ++number) {
-        const std::string_view line = log.substr(0, log.find('\n'));
-        log.remove_prefix(std::min(log.size(), line.size() + 1));
-        const auto frame = tool::parse_candump(line);
-        if (!frame) {
-            lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}");
-            continue;
-        }
-        r.tick(frame->time);
-        r.seek(number);
-        read<can::format>(r, {&*frame, 1}, note);
-    }
-    r.finish();
-    read<can::format>(r, {}, note);
+    const auto note_bad = [&](std::uint64_t number) { lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}"); };
+    tool::log_decoder decoder(timeout);
+    decoder.read({reinterpret_cast<const std::uint8_t*>(log.data()), log.size()}, note, note_bad);
+    decoder.finish(note, note_bad);
     return lines;
 }
 

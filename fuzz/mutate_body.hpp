@@ -1,17 +1,11 @@
 #pragma once
 // Mutations for `decode`, whose input is no stream: its first octet chooses a message, the rest is that message's body.
+#include "choice.hpp"
 #include "edit.hpp"
 #include "random_message.hpp"
 #include "samples.hpp"
 
 namespace trama::fuzz {
-
-/// Calls `f.operator()<M>()` for the message that input for `decode` chooses.
-template <wire_format F>
-void at_choice(std::uint8_t choice, auto&& f) {
-    static_assert(F::messages::count <= 0x80);
-    F::messages::at((choice & 0x7FU) % F::messages::count, f);
-}
 
 /// `m` as input: nothing when the wire cannot carry it.
 template <class M>
@@ -102,8 +96,7 @@ template <wire_format F>
 void print_body(std::span<const std::uint8_t> input) {
     if (input.empty()) return;
     at_choice<F>(input[0], [&]<class M>() {
-        octets body(input.begin() + 1, input.end());
-        if (M::layout.fixed && (input[0] & 0x80) != 0) body.resize(M::layout.size, ' ');
+        const octets body = body_in<M>(input);
         M read{};
         if (const error e = load_body(std::span<const std::uint8_t>(body), read)) std::fprintf(stderr, "%s: the body does not load, %s\n", std::string(M::name).c_str(), std::string(name_of(e.code)).c_str());
         dice d(1);

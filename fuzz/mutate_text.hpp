@@ -3,6 +3,7 @@
 #include "edit.hpp"
 #include "json_members.hpp"
 #include "text.hpp"
+#include "tool/candump.hpp"
 
 namespace trama::fuzz {
 
