@@ -57,12 +57,15 @@ private:
     std::function<std::span<const Unit>()> library_{};
 };
 
-inline void add_encoding(std::vector<entry>& all, const race& empty, void (*fill)(race&, std::size_t bytes), std::size_t bytes) {
-    all.push_back({empty.id(), [empty, fill, bytes] {
-        race r = empty;
-        fill(r, bytes);
-        return r;
-    }});
+inline void add_encoding(std::vector<entry>& all, const scale& sizes, const char* format, const char* workload, void (*fill)(race&, std::size_t bytes)) {
+    for (const std::size_t bytes : {sizes.large, sizes.small}) {
+        const race empty{format, workload, size_name(bytes), "encode"};
+        all.push_back({empty.id(), [empty, fill, bytes] {
+            race r = empty;
+            fill(r, bytes);
+            return r;
+        }});
+    }
 }
 
 template <class List>

@@ -15,6 +15,15 @@ struct workload {
     std::function<stream<F>(std::size_t bytes)> make;
 };
 
+/// `session`, and the same with faults in one of 1000 and of 100 places of `spacing` units.
+template <class F>
+void add_session(std::vector<workload<F>>& all, stream<F> (*session)(std::size_t bytes), std::size_t spacing, std::uint64_t seed) {
+    const auto with_one_in = [=](std::uint64_t one_in) { return [=](std::size_t bytes) { return damaged(session(bytes), one_in, spacing, seed); }; };
+    all.push_back({"session, no damage", condition::clean, session});
+    all.push_back({"session, 0.1 % damaged", condition::damaged, with_one_in(1000)});
+    all.push_back({"session, 1 % damaged", condition::damaged, with_one_in(100)});
+}
+
 /// The stream of a workload. The last two are kept, since the races of a workload follow each other.
 template <class F>
 shared_stream<F> stream_of(const workload<F>& w, std::size_t bytes) {

@@ -35,8 +35,6 @@ stream<F> interleaved(std::size_t bytes) {
     }
     return s;
 }
-/// One message in `one_in` damaged, of about two frames each.
-stream<F> damaged_session(std::size_t bytes, std::uint64_t one_in) { return damaged(can_session(bytes), one_in, 2, 23); }
 
 /// Frames of all kinds with anything in them, most of them with a letter that begins a message.
 stream<F> garbage(std::size_t bytes) {
@@ -76,14 +74,13 @@ stream<F> hostile(std::size_t bytes) {
 }  // namespace
 
 void add_can(std::vector<entry>& all, const scale& sizes) {
-    add_races<F>(all, sizes, {
+    std::vector<workload<F>> kinds{
         {"interleaved", condition::clean, interleaved},
-        {"session, no damage", condition::clean, can_session},
-        {"session, 0.1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 1000); }},
-        {"session, 1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 100); }},
         {"garbage", condition::noise, garbage},
         {"hostile", condition::noise, hostile},
-    });
+    };
+    add_session<F>(kinds, can_session, 2, 23);  // frames, two a message
+    add_races<F>(all, sizes, kinds);
     add_can_encode(all, sizes);
 }
 

@@ -108,10 +108,8 @@ void race_any(race& r, std::size_t bytes) {
 }  // namespace
 
 void add_can_encode(std::vector<entry>& all, const scale& sizes) {
-    for (const std::size_t bytes : {sizes.large, sizes.small}) {
-        add_encoding(all, {"can", "setpoints", size_name(bytes), "encode"}, race_setpoints, bytes);
-        add_encoding(all, {"can", "random mix", size_name(bytes), "encode"}, race_any, bytes);
-    }
+    add_encoding(all, sizes, "can", "setpoints", race_setpoints);
+    add_encoding(all, sizes, "can", "random mix", race_any);
 }
 
 }  // namespace trama::bench

@@ -27,8 +27,6 @@ stream<F> session(std::size_t bytes) {
         for (auto more = d.below(4); more != 0; --more) append_random(out, d.below(daisy::messages::count), d);
     });
 }
-/// One packet in `one_in` damaged.
-stream<F> damaged_session(std::size_t bytes, std::uint64_t one_in) { return damaged(session(bytes), one_in, 8, 4); }
 stream<F> garbage(std::size_t bytes) {
     stream<F> s;
     dice d(5);
@@ -74,15 +72,14 @@ void append_poll_cycle(stream<F>& s, dice& d) {
 }
 
 void add_daisy(std::vector<entry>& all, const scale& sizes) {
-    add_races<F>(all, sizes, {
+    std::vector<workload<F>> kinds{
         {"random mix", condition::clean, random_mix},
         {"periodic", condition::clean, periodic},
-        {"session, no damage", condition::clean, session},
-        {"session, 0.1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 1000); }},
-        {"session, 1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 100); }},
         {"garbage", condition::noise, garbage},
         {"hostile", condition::noise, hostile},
-    });
+    };
+    add_session<F>(kinds, session, 8, 4);  // bytes, about a packet
+    add_races<F>(all, sizes, kinds);
     add_daisy_encode(all, sizes);
 }
 

@@ -157,10 +157,8 @@ void race_any(race& r, std::size_t bytes) {
 }  // namespace
 
 void add_daisy_encode(std::vector<entry>& all, const scale& sizes) {
-    for (const std::size_t bytes : {sizes.large, sizes.small}) {
-        add_encoding(all, {"daisy", "commands", size_name(bytes), "encode"}, race_commands, bytes);
-        add_encoding(all, {"daisy", "random mix", size_name(bytes), "encode"}, race_any, bytes);
-    }
+    add_encoding(all, sizes, "daisy", "commands", race_commands);
+    add_encoding(all, sizes, "daisy", "random mix", race_any);
 }
 
 }  // namespace trama::bench

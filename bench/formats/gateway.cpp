@@ -18,8 +18,6 @@ void append_any(stream<F>& s, dice& d) {
     }
 }
 stream<F> mixed(std::size_t bytes) { return make_stream<F>(bytes, 31, append_any); }
-/// One record in `one_in` damaged.
-stream<F> damaged_session(std::size_t bytes, std::uint64_t one_in) { return damaged(gateway_session(bytes), one_in, 183, 33); }
 stream<F> garbage(std::size_t bytes) {
     stream<F> s;
     dice d(32);
@@ -38,14 +36,13 @@ stream<F> hostile(std::size_t bytes) {
 }  // namespace
 
 void add_gateway(std::vector<entry>& all, const scale& sizes) {
-    add_races<F>(all, sizes, {
+    std::vector<workload<F>> kinds{
         {"85 % cart_state", condition::clean, mixed},
-        {"session, no damage", condition::clean, gateway_session},
-        {"session, 0.1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 1000); }},
-        {"session, 1 % damaged", condition::damaged, [](std::size_t bytes) { return damaged_session(bytes, 100); }},
         {"garbage", condition::noise, garbage},
         {"hostile", condition::noise, hostile},
-    });
+    };
+    add_session<F>(kinds, gateway_session, 183, 33);  // bytes, about a record
+    add_races<F>(all, sizes, kinds);
     add_gateway_encode(all, sizes);
 }
 

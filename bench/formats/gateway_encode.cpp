@@ -122,7 +122,7 @@ void race_states(race& r, std::size_t bytes) {
 }  // namespace
 
 void add_gateway_encode(std::vector<entry>& all, const scale& sizes) {
-    for (const std::size_t bytes : {sizes.large, sizes.small}) add_encoding(all, {"gateway", "cart_state", size_name(bytes), "encode"}, race_states, bytes);
+    add_encoding(all, sizes, "gateway", "cart_state", race_states);
 }
 
 }  // namespace trama::bench
