@@ -1,4 +1,4 @@
-// Writes seed corpora and dictionaries from the schema: fuzz_generate [--check] FOLDER. With --check it writes nothing and
+// Writes seed corpora and dictionaries from the golden vectors and the schema: fuzz_generate [--check] FOLDER. With --check it writes nothing and
 // says what FOLDER holds that differs, so that CI notices when the schema has moved on.
 #include <filesystem>
 #include <fstream>
@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "golden/vectors.hpp"
 #include "mutate.hpp"
 #include "mutate_body.hpp"
 #include "text.hpp"
@@ -20,13 +21,6 @@ using namespace trama::fuzz;
 using files = std::map<std::string, std::string>;
 
 std::string as_text(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
-
-octets from_hex(std::string_view digits) {
-    octets out;
-    const auto value = [](char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); };
-    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) out.push_back(static_cast<std::uint8_t>(value(digits[i]) << 4 | value(digits[i + 1])));
-    return out;
-}
 
 /// Octets as a dictionary entry.
 std::string dictionary_entry(std::string_view token) {
@@ -57,52 +51,49 @@ std::string json_of(std::span<const typename F::unit> units) {
     return lines;
 }
 
-/// Two seeds of every message: one as it should be, one with a value that the document does not allow.
+/// A packet and its body for `decode`, as seeds called `name`.
+template <wire_format F, class M>
+void add_seed(files& all, const std::string& name, std::uint8_t choice, std::span<const typename F::unit> units, const M& m) {
+    const std::string folder = "corpus/" + std::string(F::name);
+    all[folder + "/" + name] = as_text(traits<F>::octets_from(units));
+    all[folder + "_decode/" + name] = as_text(as_input(choice, m));
+}
+
+/// Of every message its golden vectors, and one packet with a value that the document does not allow.
 template <wire_format F>
 void add_seeds(files& all) {
-    const std::string format{F::name};
     std::uint32_t seed = 1;
     std::uint8_t choice = 0;  // of the message, in input for decode
     F::messages::each([&]<class M>() {
         const std::uint8_t own = choice++;
-        for (const bool strange : {false, true}) {
+        const std::string name = file_name<F, M>();
+        int number = 0;
+        golden::each_vector([&](const auto& row) {
+            using vector = std::remove_cvref_t<decltype(row)>;
+            if constexpr (std::is_same_v<typename vector::format, F> && std::is_same_v<typename vector::message, M>) {
+                const std::string numbered = name + "-" + std::to_string(++number);
+                add_seed<F>(all, numbered, own, row.units(), row.value);
+                all["corpus/" + std::string(F::name) + "_text/" + numbered] = json_of<F>(row.units());
+            }
+        });
+        if (M::layout.count == 0) return;
+        for (int tries = 0; tries != 100; ++tries) {  // the wire cannot carry every value
             dice d(++seed);
             arena memory;
             M m = random_message<M>(d, memory);
-            while (!traits<F>::evident(typename F::envelope{}, m)) m = random_message<M>(d, memory);
-            if (strange && M::layout.count != 0) change_one_value(m, d, memory);
-            else if (strange) continue;
+            change_one_value(m, d, memory);
             std::array<typename F::unit, F::max_units> wire{};
             const auto size = F::encode_unchecked(traits<F>::template envelope_for<M>(d), m, wire);
             if (!size) continue;
-            const auto units = std::span<const typename F::unit>(wire).first(*size);
-            const std::string name = file_name<F, M>() + (strange ? "-strange" : "");
-            all["corpus/" + format + "/" + name] = as_text(traits<F>::octets_from(units));
-            all["corpus/" + format + "_decode/" + name] = as_text(as_input(own, m));
-            if (!strange) all["corpus/" + format + "_text/" + name] = json_of<F>(units);
+            add_seed<F>(all, name + "-strange", own, std::span<const typename F::unit>(wire).first(*size), m);
+            break;
         }
     });
 }
 
-/// The examples that the documents print, octet by octet.
-void add_documented(files& all) {
-    all["corpus/daisy/document-set_direction"] = as_text(from_hex("051100400155"));
-    all["corpus/daisy/document-battery_empty_alarm"] = as_text(from_hex("060062456b0349"));
-    const std::pair<const char*, octets> frames[] = {
-        {"continuous_all", from_hex("01014643410000000000000000000000000000000000000000")},
-        {"continuous_specific", from_hex("020246435300000000000000000000000000000400010203")},
-        {"interval", from_hex("0a03464953140b030d140b030f090f0a171e050400010203")},
-    };
-    for (const auto& [name, data] : frames) {
-        octets input;
-        for (std::size_t at = 0; at != 24; at += 8) {
-            input.push_back(0);
-            input.push_back(8);
-            input.insert(input.end(), data.begin() + static_cast<std::ptrdiff_t>(at), data.begin() + static_cast<std::ptrdiff_t>(at + 8));
-        }
-        all[std::string("corpus/can/document-") + name] = as_text(input);
-    }
-    all["corpus/can_text/document-log"] =
+/// A log with a node that answers, one that does not, and frames of every kind.
+void add_log(files& all) {
+    all["corpus/can_text/log"] =
         "(0.000000) can0 081#020452\n(0.010000) can0 081#0204520400640102\n(0.020000) can0 082#010741\n(0.030000) can0 081#02045204006401F0\n"
         "(1.500000) vcan0 080#0A0943140B04010C\n(1.500001) vcan0 080#141E\n(2.0) can1 00000081#0102\n(2.1) can1 081#R8\n(2.2) can1 081##1020304\n";
 }
@@ -123,32 +114,27 @@ void collect_names(std::set<std::string>& names_seen) {
     });
 }
 
-/// The first octets of every message, as the medium delivers them.
+/// How the golden vectors begin: as the medium delivers them, or as input for `decode`.
 template <wire_format F>
-std::set<std::string> headers() {
+std::set<std::string> beginnings(const files& all, std::string_view folder) {
+    constexpr std::size_t length = std::is_same_v<F, can::format> ? 5 : 4;
     std::set<std::string> tokens;
-    std::uint32_t seed = 1;
-    F::messages::each([&]<class M>() {
-        dice d(++seed);
-        arena memory;
-        const M m = random_message<M>(d, memory);
-        std::array<typename F::unit, F::max_units> wire{};
-        const auto size = F::encode(traits<F>::template envelope_for<M>(d), m, wire);
-        if (!size) return;
-        const octets bytes = traits<F>::octets_from(std::span<const typename F::unit>(wire).first(*size));
-        constexpr std::size_t length = std::is_same_v<F, can::format> ? 5 : 4;
-        tokens.insert(as_text(std::span(bytes).first(std::min(bytes.size(), length))));
-    });
+    const std::string path = "corpus/" + std::string(F::name) + std::string(folder) + "/";
+    for (auto at = all.lower_bound(path); at != all.end() && at->first.starts_with(path); ++at)
+        if (!at->first.ends_with("-strange")) tokens.insert(at->second.substr(0, length));
     return tokens;
 }
 
 template <wire_format F>
 void add_dictionaries(files& all) {
     const std::string format{F::name};
-    std::string wire = "# Made by fuzz_generate from the schema: how each message begins.\n";
-    for (const auto& token : headers<F>()) wire += dictionary_entry(token);
+    std::string wire = "# Made by fuzz_generate from the golden vectors: how each message begins.\n";
+    for (const auto& token : beginnings<F>(all, "")) wire += dictionary_entry(token);
     if constexpr (std::is_same_v<F, gateway::format>) wire += dictionary_entry("\x03") + dictionary_entry("\x03\x02") + dictionary_entry("     ") + dictionary_entry("  0");
     all["dict/" + format + ".dict"] = wire;
+    std::string bodies = "# Made by fuzz_generate from the golden vectors: the choice of a message and how its body begins.\n";
+    for (const auto& token : beginnings<F>(all, "_decode")) bodies += dictionary_entry(token);
+    all["dict/" + format + "_decode.dict"] = bodies;
 
     std::set<std::string> words{"{\"protocol\":\"" + format + "\"", "\"message\":\"", "\"fields\":{", "\"violations\":[", "\"error\":\"", "\\u00e9", "\\u0000", "\\ud800", "null", "true", "-1", "1e3", "0.5", "}}"};
     F::messages::each([&]<class M>() {
@@ -176,12 +162,12 @@ int check(const fs::path& folder, const files& all) {
     };
     for (const auto& [path, text] : all)
         if (!fs::exists(folder / path)) tell(path, "is missing");
-        else if (content(folder / path) != text) tell(path, "is not what the schema says");
+        else if (content(folder / path) != text) tell(path, "is not what schema and golden vectors say");
     for (const char* part : {"corpus", "dict"}) {
         if (!fs::exists(folder / part)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(folder / part)) {
             const std::string path = fs::relative(entry.path(), folder).generic_string();
-            if (entry.is_regular_file() && !all.contains(path)) tell(path, "is not made from the schema");
+            if (entry.is_regular_file() && !all.contains(path)) tell(path, "is not made from them");
         }
     }
     if (differences != 0) std::fprintf(stderr, "run fuzz_generate on the folder fuzz/ and commit what it changes\n");
@@ -209,7 +195,7 @@ int main(int argc, char** argv) {
     add_seeds<daisy::format>(all);
     add_seeds<can::format>(all);
     add_seeds<gateway::format>(all);
-    add_documented(all);
+    add_log(all);
     add_dictionaries<daisy::format>(all);
     add_dictionaries<can::format>(all);
     add_dictionaries<gateway::format>(all);

@@ -2,6 +2,7 @@
 // Those of daisy and can; decisions_gateway.cpp has the others.
 #include "golden/check.hpp"
 #include "golden/limits.hpp"
+#include "golden/vectors/can_row.hpp"
 #include "trama/trama.hpp"
 
 namespace trama::golden {
@@ -37,10 +38,6 @@ template <class F, class M>
     return decode<M>(e.packet);
 }
 
-template <class... Byte>
-can::frame data(std::uint32_t id, Byte... bytes) {
-    return can::frame{.id = id, .length = sizeof...(Byte), .data = {static_cast<std::uint8_t>(bytes)...}};
-}
 template <class M>
 result<M> can_message(const std::vector<can::frame>& frames) { return decoded<can::format, M>(frames); }
 

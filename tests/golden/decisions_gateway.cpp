@@ -1,6 +1,7 @@
 // As decisions.cpp, of the gateway's records.
 #include "golden/check.hpp"
-#include "golden/gateway_row.hpp"
+#include "golden/gateway_limits.hpp"
+#include "golden/vectors/gateway_row.hpp"
 #include "trama/trama.hpp"
 
 namespace trama::golden {
