@@ -41,6 +41,11 @@ TEST(daisy_footing, takes_bytes_without_a_fault) {
     EXPECT_EQ(footing(ping * 400, 1), (footing_clean + 4) / 5 * 5);
 }
 
+TEST(daisy_footing, takes_an_undocumented_packet_for_no_fault) {
+    ASSERT_EQ(odd.size(), 5U);
+    EXPECT_EQ(footing(ping * 60 + odd + ping * 200, 1), (footing_clean + 4) / 5 * 5);
+}
+
 TEST(daisy_footing, is_the_end_where_there_is_none) {
     for (const octets& stream : {octets(5000, 0), ping * 50, odd * 1000, ping * 4 + odd * 1000})
         for (const std::size_t cut : {1U, 249U, 2000U}) EXPECT_EQ(footing(stream, cut), stream.size());
