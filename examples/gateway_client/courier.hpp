@@ -67,7 +67,7 @@ private:
             if (gateway::find_cargo(*m, trama::text<10>(name(c.order))) != nullptr) return settle(c);
             c.state = cart::waits;  // it never arrived: the same order once more
         }
-        c.state = gateway::has(m->cart_status, gateway::cart_status::ready) ? cart::ready : cart::waits;
+        c.state = gateway::any_of(m->cart_status, gateway::cart_status::ready) ? cart::ready : cart::waits;
     }
 
     gate_link& link_;

@@ -103,6 +103,13 @@ TEST(gateway_server, answers_a_load_by_transit_ack_and_fills_a_slot) {
     EXPECT_EQ(slot->inputs.view(), "0110");
 }
 
+TEST(gateway_server, reports_conditions_without_a_name_as_they_are) {
+    auto s = server_with_cart_1();
+    auto& cart = *s.carts().find(1);
+    cart.state.cart_status = static_cast<gateway::cart_status>(0x1000) | gateway::cart_status::loaded;
+    EXPECT_EQ(cart.report().cart_status, static_cast<gateway::cart_status>(0x1000) | gateway::cart_status::loaded | gateway::cart_status::ready);
+}
+
 TEST(gateway_server, answers_each_kind_of_order_by_the_reply_that_the_document_gives_it) {
     auto s = server_with_cart_1();
     gateway::go_node node{};
@@ -447,7 +454,7 @@ TEST(gateway_systems, every_order_is_carried_out_exactly_once_over_a_line_that_b
                 const auto state = trama::decode<gateway::cart_state>(e.packet);
                 if (!state) continue;
                 seen_state = true;
-                ready = gateway::has(state->cart_status, gateway::cart_status::ready);
+                ready = gateway::any_of(state->cart_status, gateway::cart_status::ready);
                 if (doubt < 0) continue;
                 // A state of this connection was written after the old connection was closed for good.
                 const bool taken = gateway::find_cargo(*state, trama::text<10>("c" + std::to_string(doubt))) != nullptr;

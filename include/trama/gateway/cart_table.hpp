@@ -4,11 +4,6 @@
 
 namespace trama::gateway {
 
-constexpr cart_status operator|(cart_status a, cart_status b) noexcept { return static_cast<cart_status>(static_cast<unsigned>(a) | static_cast<unsigned>(b)); }
-constexpr cart_status operator&(cart_status a, cart_status b) noexcept { return static_cast<cart_status>(static_cast<unsigned>(a) & static_cast<unsigned>(b)); }
-constexpr cart_status operator~(cart_status a) noexcept { return static_cast<cart_status>(~static_cast<unsigned>(a) & 0xFFFU); }
-constexpr bool has(cart_status all, cart_status one) noexcept { return (all & one) == one; }
-
 /// What a cart does that executes `transit`. [gateway, "Cart_phase"]
 constexpr cart_phase phase_of(const transit_order& transit) noexcept {
     if (transit.phase == transit_phase::none) return cart_phase::none;
@@ -39,10 +34,10 @@ struct cart {
         s.cart_phase = current == nullptr ? cart_phase::none : phase_of(*current);
         const bool busy = current != nullptr && current->phase != transit_phase::transit_done;
         constexpr cart_status against = cart_status::cart_error | cart_status::hook_error | cart_status::maintenance | cart_status::house_keeping;
-        const bool ready = slots.has_place() && (s.cart_status & against) == cart_status::none;
-        s.cart_status = s.cart_status & ~(cart_status::busy | cart_status::ready);
-        if (busy) s.cart_status = s.cart_status | cart_status::busy;
-        if (ready) s.cart_status = s.cart_status | cart_status::ready;
+        const bool ready = slots.has_place() && !any_of(s.cart_status, against);
+        s.cart_status &= ~(cart_status::busy | cart_status::ready);
+        if (busy) s.cart_status |= cart_status::busy;
+        if (ready) s.cart_status |= cart_status::ready;
         return s;
     }
 };

@@ -45,7 +45,7 @@ constexpr transit_order transit_of(const M& m, const text<10>& transit_id) noexc
 template <class M>
 constexpr std::string_view carry_out(const M& m, cart& c, const text<10>& transit_id) noexcept {
     if constexpr (makes_transit(M::key)) {
-        if (!has(c.report().cart_status, cart_status::ready)) return c.slots.has_place() ? reason::not_ready : reason::no_place;
+        if (!any_of(c.report().cart_status, cart_status::ready)) return c.slots.has_place() ? reason::not_ready : reason::no_place;
         (void)c.slots.accept(transit_of(m, transit_id));
     } else if constexpr (M::key == order_type::cancel_transits) {
         (void)c.slots.cancel();
