@@ -51,6 +51,14 @@ std::string json_of(std::span<const typename F::unit> units) {
     return lines;
 }
 
+/// Where `M` stands in the list.
+template <class M, class... All>
+std::uint8_t place(message_list<All...>) {
+    std::uint8_t i = 0;
+    (void)((std::is_same_v<M, All> || (++i, false)) || ...);
+    return i;
+}
+
 /// A packet and its body for `decode`, as seeds called `name`.
 template <wire_format F, class M>
 void add_seed(files& all, const std::string& name, std::uint8_t choice, std::span<const typename F::unit> units, const M& m) {
@@ -59,35 +67,38 @@ void add_seed(files& all, const std::string& name, std::uint8_t choice, std::spa
     all[folder + "_decode/" + name] = as_text(as_input(choice, m));
 }
 
-/// Of every message its golden vectors, and one packet with a value that the document does not allow.
+/// Of every message one packet with a value that the document does not allow, where the wire can carry one.
 template <wire_format F>
-void add_seeds(files& all) {
+void add_strange(files& all) {
     std::uint32_t seed = 1;
     std::uint8_t choice = 0;  // of the message, in input for decode
     F::messages::each([&]<class M>() {
         const std::uint8_t own = choice++;
-        const std::string name = file_name<F, M>();
-        int number = 0;
-        golden::each_vector([&](const auto& row) {
-            using vector = std::remove_cvref_t<decltype(row)>;
-            if constexpr (std::is_same_v<typename vector::format, F> && std::is_same_v<typename vector::message, M>) {
-                const std::string numbered = name + "-" + std::to_string(++number);
-                add_seed<F>(all, numbered, own, row.units(), row.value);
-                all["corpus/" + std::string(F::name) + "_text/" + numbered] = json_of<F>(row.units());
-            }
-        });
         if (M::layout.count == 0) return;
-        for (int tries = 0; tries != 100; ++tries) {  // the wire cannot carry every value
+        for (int tries = 0; tries != 1000; ++tries) {
             dice d(++seed);
             arena memory;
             M m = random_message<M>(d, memory);
             change_one_value(m, d, memory);
             std::array<typename F::unit, F::max_units> wire{};
             const auto size = F::encode_unchecked(traits<F>::template envelope_for<M>(d), m, wire);
-            if (!size) continue;
-            add_seed<F>(all, name + "-strange", own, std::span<const typename F::unit>(wire).first(*size), m);
+            if (!size || is_valid(m)) continue;
+            add_seed<F>(all, file_name<F, M>() + "-strange", own, std::span<const typename F::unit>(wire).first(*size), m);
             break;
         }
+    });
+}
+
+/// All golden vectors, those of one message numbered.
+void add_golden(files& all) {
+    std::map<std::string, int> numbers;
+    golden::each_vector([&]<class Row>(const Row& row) {
+        using F = typename Row::format;
+        using M = typename Row::message;
+        const std::string name = file_name<F, M>(), format{F::name};
+        const std::string numbered = name + "-" + std::to_string(++numbers[format + name]);
+        add_seed<F>(all, numbered, place<M>(typename F::messages{}), row.units(), row.value);
+        all["corpus/" + format + "_text/" + numbered] = json_of<F>(row.units());
     });
 }
 
@@ -174,13 +185,20 @@ int check(const fs::path& folder, const files& all) {
     return differences == 0 ? 0 : 1;
 }
 
-void write(const fs::path& folder, const files& all) {
+/// False when the files could not be written, said on standard error.
+bool write(const fs::path& folder, const files& all) {
     fs::remove_all(folder / "corpus");
     fs::remove_all(folder / "dict");
     for (const auto& [path, text] : all) {
         fs::create_directories((folder / path).parent_path());
-        std::ofstream(folder / path, std::ios::binary) << text;
+        std::ofstream file(folder / path, std::ios::binary);
+        file << text;
+        file.close();
+        if (file) continue;
+        std::fprintf(stderr, "fuzz_generate: cannot write %s\n", (folder / path).c_str());
+        return false;
     }
+    return true;
 }
 
 }  // namespace
@@ -192,16 +210,16 @@ int main(int argc, char** argv) {
         return 2;
     }
     files all;
-    add_seeds<daisy::format>(all);
-    add_seeds<can::format>(all);
-    add_seeds<gateway::format>(all);
+    add_golden(all);
+    add_strange<daisy::format>(all);
+    add_strange<can::format>(all);
+    add_strange<gateway::format>(all);
     add_log(all);
     add_dictionaries<daisy::format>(all);
     add_dictionaries<can::format>(all);
     add_dictionaries<gateway::format>(all);
     if (checking) return check(argv[2], all);
-    write(argv[1], all);
-    return 0;
+    return write(argv[1], all) ? 0 : 2;
 }
 
 // The mutators that come along with the harness are not used here.

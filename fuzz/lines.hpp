@@ -42,15 +42,34 @@ text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const s
     return lines;
 }
 
-/// What the library says about a candump log.
-inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout) {
+/// What the library says about a candump log that comes in pieces; `next_piece(left)` says how long the next one is.
+inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout, auto&& next_piece) {
     text_lines lines;
     const auto note = [&](const can::event& e) { lines.push_back(line_of<can::format>(e)); };
     const auto note_bad = [&](std::uint64_t number) { lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}"); };
     tool::log_decoder decoder(timeout);
-    decoder.read({reinterpret_cast<const std::uint8_t*>(log.data()), log.size()}, note, note_bad);
+    while (!log.empty()) {
+        const std::string_view piece = log.substr(0, next_piece(log.size()));
+        log.remove_prefix(piece.size());
+        const exact<std::uint8_t> copy(std::span(reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()));
+        decoder.read(copy.all(), note, note_bad);
+    }
     decoder.finish(note, note_bad);
     return lines;
+}
+
+/// The same whole and in pieces. Each line is parsed in a block of its own size besides, since the decoder's has room behind it.
+inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout) {
+    dice d(hash_of({reinterpret_cast<const std::uint8_t*>(log.data()), log.size()}));
+    const auto whole = library_can_lines(log, timeout, [](std::size_t left) { return left; });
+    const std::size_t longest = d.one_in(4) ? 3 : 100;
+    require(whole == library_can_lines(log, timeout, [&](std::size_t left) { return 1 + d.below(std::min(left, longest)); }), "a log says the same however it is split");
+    for (std::string_view rest = log; !rest.empty();) {
+        const exact<char> line(std::span<const char>(rest).first(std::min(rest.find('\n'), rest.size())));
+        (void)tool::parse_candump({line.all().data(), line.all().size()});
+        rest.remove_prefix(std::min(rest.size(), line.all().size() + 1));
+    }
+    return whole;
 }
 
 inline void require_same(const text_lines& library, const text_lines& reference, const char* property) {

@@ -103,7 +103,8 @@ void print_body(std::span<const std::uint8_t> input) {
         arena memory;
         std::array<typename F::unit, F::max_units> wire{};
         const auto size = F::encode_unchecked(traits<F>::template envelope_for<M>(d), random_message<M>(d, memory), wire);
-        const octets packet = traits<F>::with_body(traits<F>::octets_from(std::span<const typename F::unit>(wire).first(size ? *size : 0)), body);
+        require(bool(size), "random messages encode");
+        const octets packet = traits<F>::with_body(traits<F>::octets_from(std::span<const typename F::unit>(wire).first(*size)), body);
         if (packet.empty()) std::fprintf(stderr, "%s: no packet holds a body of %zu octets\n", std::string(M::name).c_str(), body.size());
         traits<F>::print_wire(packet);
     });

@@ -2,8 +2,8 @@
 
 
 def slice_seconds(left, jobs, count):
-    """So long that starting up does not matter, so short that every target gets its turns."""
-    return max(5.0, min(60.0, left * jobs / max(1, count) / 4))
+    """So long that starting up, when the whole corpus is read, does not matter; so short that every target gets its turns."""
+    return max(5.0, min(240.0, left * jobs / max(1, count) / 4))
 
 
 def variant_of(turn, with_afl):

@@ -35,11 +35,12 @@ struct traits<daisy::format> : octet_traits {
         if (strange && d.one_in(2)) e.source.octet |= 0x0F;
         return e;
     }
-    /// Whether the packet tells a decoder by itself that it is in step; texts, rejected packets and packets from groups
-    /// that the document does not know may be noise that looks like one.
+    /// Whether the packet tells a decoder by itself that it is in step; texts, rejected packets, packets from groups that
+    /// the document does not know and calls to everyone that not every family has may be noise that looks like one.
     template <class M>
     static bool evident(const daisy::envelope& e, const M& m) {
-        if (e.source.group() > 6 || (e.destination.group() > 6 && e.destination != daisy::everyone)) return false;
+        const bool everyone_called = e.destination == daisy::everyone && daisy::family_of(M::key) == daisy::family::common;
+        if (e.source.group() > 6 || (e.destination.group() > 6 && !everyone_called)) return false;
         if constexpr (requires { m.evident(); }) return m.evident();
         else return true;
     }
