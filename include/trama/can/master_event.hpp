@@ -21,7 +21,7 @@ enum class master_news : std::uint8_t {
     answered,    ///< The reply to a request, in `packet`: sensor_readings, actuator_state, or the echo of F, M or C.
     asks_again,  ///< No reply in time, or a wrong one: the request is sent once more.
     failed,      ///< No right reply after all attempts.
-    clock,       ///< The central master has set everyone's clock; `master::calendar` goes by it.
+    clock,       ///< The central master has set everyone's clock; `master::clock()` goes by it.
     stray,       ///< A message that is no reply to the request under way, such as a late reply; in `packet`.
     fault,       ///< Frames that make no message: `code`, `skipped`.
 };

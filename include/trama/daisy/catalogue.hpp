@@ -5,16 +5,16 @@
 namespace trama::daisy {
 
 inline constexpr std::size_t unknown = messages::count;  ///< The index of a packet that no table defines.
-inline constexpr std::size_t header_size = 4;            ///< LARGO, DESTINO, ORIGEN, COMANDO. [daisy §2]
-inline constexpr std::size_t min_packet = 5;             ///< With CRC, without DATO.
-inline constexpr std::size_t max_packet = 256;           ///< LARGO is one byte and counts what follows it.
+inline constexpr std::size_t header_size = 4;            ///< LEN, DESTINATION, SOURCE, COMMAND. [daisy §2]
+inline constexpr std::size_t min_packet = 5;             ///< With CRC, without DATA.
+inline constexpr std::size_t max_packet = 256;           ///< LEN is one byte and counts what follows it.
 
-inline constexpr std::uint16_t variable = 0x100;         ///< No LARGO byte has this value.
-inline constexpr std::size_t longest_fixed = 15;         ///< LARGO of the longest fixed message, or a little more: 16 bytes hold each.
+inline constexpr std::uint16_t variable = 0x100;         ///< No LEN byte has this value.
+inline constexpr std::size_t longest_fixed = 15;         ///< LEN of the longest fixed message, or a little more: 16 bytes hold each.
 
 template <class M>
 using has_variable_length = std::bool_constant<!M::layout.fixed>;
-/// The few messages whose LARGO is not fixed; a search among these costs less than a jump into all messages.
+/// The few messages whose LEN is not fixed; a search among these costs less than a jump into all messages.
 using variable_messages = typename filtered<messages, has_variable_length>::type;
 
 /// Whether DATA of some size, whose first byte is given or null while that has not come, can be a certain message.
@@ -24,7 +24,7 @@ using body_test = bool (*)(std::size_t size, const std::uint8_t* first) noexcept
 struct catalogue {
     /// Message by family (0..5, 6 for battery_controller's second group, 7 for none), response bit, family bit and low nibble.
     std::array<std::uint8_t, 8 * 64> index{};
-    std::array<std::uint16_t, unknown + 1> fixed_len{};  ///< LARGO of a fixed message, `variable` of the others.
+    std::array<std::uint16_t, unknown + 1> fixed_len{};  ///< LEN of a fixed message, `variable` of the others.
     std::array<std::uint8_t, unknown + 1> variable_at{};      ///< Place among `variable_messages`, their count of the others.
     std::array<bool, unknown + 1> carries_bytes{}, texts{};   ///< Texts and errors; texts.
     std::array<body_test, variable_messages::count + 1> fits{};  ///< By `variable_at`; nothing fits the others.
@@ -32,13 +32,13 @@ struct catalogue {
     /// Row of `quick`, times 256, by the groups of a header and its response bit, as `pair_of` picks them out.
     std::array<std::uint16_t, 512> rows{};
     /// By row and command: the message's index times 512; `counted` if it is a list whose first byte tells its length; and
-    /// LARGO, of a list when it is empty, or `not_sized`. A row is a group, or 7 where the groups are not documented.
+    /// LEN, of a list when it is empty, or `not_sized`. A row is a group, or 7 where the groups are not documented.
     std::array<std::uint16_t, 8 * 256> quick{};
     static constexpr std::uint16_t counted = 0x100;
-    static constexpr std::uint8_t not_sized = header_size - 1;  ///< A LARGO that no packet has.
-    /// From `counted` on: what a list's first byte adds to LARGO, or what makes it `not_sized` if it gets too long.
+    static constexpr std::uint8_t not_sized = header_size - 1;  ///< A LEN that no packet has.
+    /// From `counted` on: what a list's first byte adds to LEN, or what makes it `not_sized` if it gets too long.
     std::array<std::uint8_t, 2 * counted> more{};
-    /// By LARGO: what to keep of a packet's first and second eight bytes to fold all of them. Of a packet whose LARGO is
+    /// By LEN: what to keep of a packet's first and second eight bytes to fold all of them. Of a packet whose LEN is
     /// `not_sized` only that is kept, so that it never folds to 0.
     std::array<std::uint64_t, longest_fixed + 1> first_half{}, second_half{};
 
@@ -55,7 +55,7 @@ struct catalogue {
     constexpr unsigned find(std::uint32_t head, const std::uint8_t* p) const noexcept { return quick[std::size_t{rows[pair_of(head)]} + p[3]]; }
     /// Index in `messages`, or `unknown`.
     static constexpr std::size_t index_in(unsigned found) noexcept { return found >> 9; }
-    /// True if five bytes tell the size of the message at `p`, of which `quick` knows `found`, and LARGO is right.
+    /// True if five bytes tell the size of the message at `p`, of which `quick` knows `found`, and LEN is right.
     constexpr bool is_sized(unsigned found, const std::uint8_t* p) const noexcept {
         return static_cast<std::uint8_t>(found + more[std::size_t{found & counted} + p[header_size]]) == p[0];
     }
@@ -149,7 +149,7 @@ constexpr bool documented_addresses(unsigned destination, unsigned source, unsig
     return source < 0x70 && (destination < 0x70 || everyone_called);
 }
 
-/// Calls `f.operator()<M>()` for the message at `index` if its LARGO is not fixed.
+/// Calls `f.operator()<M>()` for the message at `index` if its LEN is not fixed.
 constexpr void for_variable(std::size_t index, auto&& f) noexcept { variable_messages::at(known.variable_at[index], f); }
 
 /// False when the five bytes at `p` are no documented header. True when they may be one.

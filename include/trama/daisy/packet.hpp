@@ -12,9 +12,9 @@ public:
     /// Precondition: `bytes` is a whole packet with a good CRC and `index` its `index_of`.
     constexpr packet(std::span<const std::uint8_t> bytes, std::size_t index) noexcept : bytes_(bytes), index_(index) {}
 
-    /// All of it, LARGO to CRC; send these to pass the packet on unchanged.
+    /// All of it, LEN to CRC; send these to pass the packet on unchanged.
     [[gnu::always_inline]] constexpr std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
-    /// DATO.
+    /// DATA.
     [[gnu::always_inline]] constexpr std::span<const std::uint8_t> body() const noexcept { return bytes_.empty() ? bytes_ : std::span(bytes_.data() + header_size, bytes_.size() - min_packet); }
     [[gnu::always_inline]] constexpr daisy::envelope envelope() const noexcept { return {{at(1)}, {at(2)}}; }
     [[gnu::always_inline]] constexpr std::uint8_t command() const noexcept { return at(3); }
@@ -39,7 +39,7 @@ enum class header : std::uint8_t {
     open,        ///< Undocumented: no table defines it, or the groups are unknown.
     documented,  ///< A documented header.
     unclear,     ///< Too few bytes to tell; nothing speaks against a documented header.
-    impossible,  ///< LARGO below 4, or one that its command cannot have.
+    impossible,  ///< LEN below 4, or one that its command cannot have.
 };
 
 /// Judges the bytes from `at` on, up to 5 of them; fewer when no more have come.
