@@ -19,7 +19,7 @@ namespace {
 using namespace trama;
 
 // Stand-ins for what a real program has: a serial port, a clock, an operating system's queue, a CAN controller, a socket.
-std::uint64_t time_now = 0;
+std::uint64_t time_now = 1000000;  // far from 0, the time of a frame that nobody has stamped
 std::uint64_t milliseconds() { return time_now; }
 struct fake_port {
     std::deque<std::uint8_t> in;
@@ -139,9 +139,11 @@ void on_receive_interrupt(std::uint8_t data_register) { received.put(data_regist
 
 template <class Port>
 bool read_the_encoder(Port& port, daisy::controller<>& controller, std::int32_t& count) {
+    constexpr daisy::address wheel = daisy::board(1, 0);
+    constexpr std::uint8_t command = daisy::command_of(daisy::dc_motor::get_encoder::key);
     std::array<std::uint8_t, 64> in{};
     std::array<std::uint8_t, daisy::controller<>::max_output> out{};
-    const auto size = controller.request(daisy::board(1, 0), daisy::dc_motor::get_encoder{}, milliseconds(), out);
+    const auto size = controller.request(wheel, daisy::dc_motor::get_encoder{}, milliseconds(), out);
     if (!size) return false;  // one like it is under way
     write_all(port, std::span(out).first(*size));
     while (wait_for(port, 10)) {
@@ -150,7 +152,9 @@ bool read_the_encoder(Port& port, daisy::controller<>& controller, std::int32_t&
             const auto event = controller.next(rest, milliseconds(), out);
             write_all(port, std::span(out).first(event.written));
             if (event.news == daisy::controller_news::need_more) break;
-            if (event.news == daisy::controller_news::failed) return false;
+            if (event.peer != wheel || event.command != command) continue;  // about something else
+            using enum daisy::controller_news;
+            if (event.news == failed || event.news == absent || event.news == refused) return false;
             if (const auto reply = decode<daisy::dc_motor::get_encoder_reply>(event.packet)) {
                 count = reply->count;
                 return true;
@@ -158,6 +162,13 @@ bool read_the_encoder(Port& port, daisy::controller<>& controller, std::int32_t&
         }
     }
     return false;
+}
+
+template <class Port>
+void report_stress(Port& port, daisy::node<>& node, std::uint16_t consumption) {
+    std::array<std::uint8_t, daisy::max_packet> out{};
+    const auto size = node.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{consumption}, milliseconds(), out);
+    if (size) write_all(port, std::span(out).first(*size));  // none if the value is out of range, or an alarm of this command still waits
 }
 
 template <class Controller>
@@ -204,8 +215,10 @@ greenhouse_bed bed;
 
 /// On a frame received; also every few milliseconds with none, so that partial messages time out.
 template <class Controller>
-void on_frame(Controller& bus, std::span<const can::frame> received) {
-    while (node.next(received, milliseconds(), bed).news != can::sensor_node_news::need_more) {}
+void on_frame(Controller& bus, std::span<can::frame> received) {
+    for (can::frame& f : received) f.time = milliseconds();  // else its message times out
+    std::span<const can::frame> rest = received;
+    while (node.next(rest, milliseconds(), bed).news != can::sensor_node_news::need_more) {}
     if (const can::frame* next = node.front())
         if (bus.send(*next)) node.sent();
 }
@@ -237,6 +250,23 @@ void order_a_load(Socket& socket, gateway::client<>& client, std::string& told) 
                 if (const auto no = decode<gateway::nack>(event.packet)) told = no->error_message.view();
         }
     }
+}
+
+void set_up(gateway::server<16>& server) {
+    server.carts().add(1);  // orders for carts that were not added are refused
+    gateway::circuit_state circuit{};
+    circuit.circuit_voltage = 482;  // tenths: 48.2 V
+    circuit.working_carts = 1;
+    circuit.target_mode = circuit.mode = gateway::circuit_mode::automatic;
+    server.set_circuit(circuit);
+}
+/// The cart's transit under way has come to `phase`, the cart to the segment that ends at `end_node`.
+void on_progress(gateway::server<16>& server, std::uint32_t cart_id, gateway::transit_phase phase, std::uint32_t end_node) {
+    gateway::cart* cart = server.carts().find(cart_id);
+    if (cart == nullptr) return;
+    cart->slots.advance(phase);  // no transit ends by itself
+    cart->state.end_node = end_node;
+    cart->changed = true;  // `poll` sends the new state
 }
 
 template <class Socket>
@@ -286,6 +316,41 @@ TEST(driving, a_board_in_an_event_loop_and_in_a_task) {
     EXPECT_EQ(count, 0);
 }
 
+TEST(driving, a_request_ends_at_once_where_no_board_is_and_where_it_is_refused) {
+    daisy::controller<> controller;
+    std::int32_t count = -1;
+    fake_port line;
+    EXPECT_FALSE(read_the_encoder(line, controller, count));
+    EXPECT_EQ(line.turns, -1);
+
+    controller = daisy::controller<>{};
+    fake_port round;  // the request comes back
+    round.in.assign(line.out.begin(), line.out.end());
+    EXPECT_FALSE(read_the_encoder(round, controller, count));
+    EXPECT_EQ(round.turns, 2);
+
+    controller = daisy::controller<>{};
+    fake_port refused;
+    std::array<std::uint8_t, daisy::max_packet> error{};
+    const auto size = daisy::encode({daisy::board(0, 0), daisy::board(1, 0)}, daisy::common::error{daisy::unknown_command_code, {}, 0}, error);
+    refused.in.assign(error.begin(), error.begin() + static_cast<std::ptrdiff_t>(size.value_or(0)));
+    EXPECT_FALSE(read_the_encoder(refused, controller, count));
+    EXPECT_EQ(refused.turns, 2);
+    EXPECT_EQ(count, -1);
+}
+
+TEST(driving, an_alarm_is_sent_once_while_it_waits) {
+    daisy::node<> board(daisy::board(1, 0), "left wheel");
+    fake_port line;
+    report_stress(line, board, 0x400);
+    EXPECT_TRUE(line.out.empty());
+    report_stress(line, board, 0x3FF);
+    EXPECT_EQ(line.out.size(), 7U);
+    report_stress(line, board, 0x3FE);
+    EXPECT_EQ(line.out.size(), 7U);
+    EXPECT_EQ(board.in_flight(), 1U);
+}
+
 TEST(driving, a_byte_ring_keeps_order_and_loses_what_does_not_fit) {
     interrupts::byte_ring ring;
     for (int round = 0; round != 3; ++round) {
@@ -310,12 +375,34 @@ TEST(driving, a_master_and_a_node) {
     bus.turns = 3;
     run_master(bus, master);
     EXPECT_EQ(master.quality().round_trip.count, 1U);
+
+    can::define_function wanted{};
+    wanted.node = 1;
+    wanted.function = can::function::continuous_all;
+    wanted.message_id = master.request(wanted).value_or(0);
+    bus.out.clear();
+    bus.turns = 1;
+    run_master(bus, master);
+    ASSERT_EQ(bus.out.size(), 3U);
+    other.out.clear();
+    for (can::frame& f : bus.out) {  // one frame at a time, as an interrupt brings them
+        time_now += 20;
+        on_frame(other, {&f, 1});
+        on_frame(other, {});
+    }
+    on_transmitted(other);
+    on_transmitted(other);
+    EXPECT_EQ(node.function_in_force(), wanted);
+    bus.in.assign(other.out.begin(), other.out.end());
+    bus.turns = 1;
+    run_master(bus, master);
+    EXPECT_EQ(master.quality().round_trip.count, 2U);
 }
 
 TEST(driving, a_client_and_a_server) {
     gateway::client<> client(1000);
     gateway::server<16> server;
-    server.carts().add(1);
+    set_up(server);
     fake_port up;
     std::string told;
     order_a_load(up, client, told);
@@ -327,6 +414,22 @@ TEST(driving, a_client_and_a_server) {
     gateway::client<> again(1000);
     order_a_load(down, again, told);
     EXPECT_EQ(told, "T000000001");
+
+    on_progress(server, 1, gateway::transit_phase::transit_done, 12);
+    EXPECT_EQ(server.carts()[0].report().cart_phase, gateway::cart_phase::transit_done);
+    on_progress(server, 2, gateway::transit_phase::transit_done, 12);
+    (void)server.connect();
+    std::array<std::uint8_t, gateway::max_record> out{};
+    int states = 0;
+    while (const std::size_t size = server.poll(out)) {
+        std::span<const std::uint8_t> record = std::span(out).first(size);
+        gateway::decoder decoder;
+        const auto event = decoder.next(record);
+        if (const auto cart = decode<gateway::cart_state>(event.packet)) { EXPECT_EQ(cart->end_node, 12U); }
+        if (const auto circuit = decode<gateway::circuit_state>(event.packet)) { EXPECT_EQ(circuit->circuit_voltage, 482); }
+        ++states;
+    }
+    EXPECT_EQ(states, 2);
 }
 
 TEST(systems_docs, hold_no_snippet_that_is_not_compiled_here) {
