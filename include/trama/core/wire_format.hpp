@@ -50,7 +50,7 @@ using join = typename joined<Lists...>::type;
 template <class Packet>
 struct basic_event {
     errc code = errc::need_more;            ///< `ok`: a packet. `unknown_message`: a packet without a type. Else an error.
-    Packet packet{};                        ///< Of `ok` and `unknown_message`, and where a whole packet is at fault.
+    Packet packet{};                        ///< Of `ok` and `unknown_message`; else empty.
     std::uint64_t offset = 0;               ///< First unit in the stream, from 0.
     std::uint64_t length = 0;               ///< Units that the event covers.
     std::span<const std::uint8_t> bytes{};  ///< Of an error: its first 256 bytes (can: its frames' data).

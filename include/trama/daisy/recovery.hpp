@@ -32,7 +32,7 @@ constexpr bool is_landmark(std::span<const std::uint8_t> whole) noexcept {
     } else {
         const auto body = whole.subspan(header_size, whole.size() - min_packet);
         if constexpr (is_text<M>) {
-            // Printable text is plain, and no short packet begins in it: their LARGO is a control character. Nor does one
+            // Printable text is plain, and no short packet begins in it: their LEN is a control character. Nor does one
             // begin in the header, since a response's command is no address.
             static_assert(longest_short <= ' ' && (command_of(M::key) & response_bit) != 0);
             if (all_printable(body.data(), body.size())) return true;
@@ -88,7 +88,7 @@ constexpr bool find_short_landmark(const window& w, std::size_t& probe) noexcept
 /// True when the packet at `at`, of which six bytes or more have come, may yet turn out to be an error that agrees with
 /// itself. Such a one is a landmark whatever lies inside, and must be waited for.
 constexpr bool may_be_report(const window& w, std::size_t at) noexcept {
-    constexpr std::size_t around = header_size + 3;  // code, expected_crc and the rejected packet's own LARGO
+    constexpr std::size_t around = header_size + 3;  // code, expected_crc and the rejected packet's own LEN
     return w[at + 3] == command_of(common::error::key) && w[at + header_size + 1] + around == w[at];
 }
 
