@@ -1,6 +1,7 @@
 // trama_bench: how fast the library is, beside what the machine could do and what one writes by hand.
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdio>
 #include <string_view>
 
@@ -32,7 +33,7 @@ constexpr std::string_view help =
     "  --list          the names of the races\n"
     "\n"
     "Status: 0 if all results agree, 1 if some don't (it is said on the standard error), 2 if the command line is wrong or\n"
-    "names no race. Times decide nothing.\n";
+    "names no race, or the output cannot be written. Times decide nothing.\n";
 
 struct options {
     bool quick = false, check = false, json = false, list = false;
@@ -58,6 +59,11 @@ void keep_targets(race& r, const scale& sizes) {
     std::erase_if(r.answers, [&](const answer& a) { return a.name == "trama" && !a.chunk.empty() && find(r, a.name, a.chunk) == r.contenders.size(); });
 }
 
+bool parse_rounds(std::string_view digits, int& rounds) {
+    const auto [end, bad] = std::from_chars(digits.data(), digits.data() + digits.size(), rounds);
+    return bad == std::errc{} && end == digits.data() + digits.size() && rounds >= 9;
+}
+
 bool parse(int argc, char** argv, options& o) {
     for (int i = 1; i != argc; ++i) {
         const std::string_view word = argv[i];
@@ -66,7 +72,7 @@ bool parse(int argc, char** argv, options& o) {
         else if (word == "--json") o.json = true;
         else if (word == "--list") o.list = true;
         else if (word == "--only" && i + 1 != argc) o.only = argv[++i];
-        else if (word == "--rounds" && i + 1 != argc && std::atoi(argv[i + 1]) >= 9) o.rounds = std::atoi(argv[++i]);
+        else if (word == "--rounds" && i + 1 != argc && parse_rounds(argv[++i], o.rounds)) continue;
         else return false;
     }
     return true;
@@ -105,9 +111,7 @@ int run_all(const std::vector<entry>& entries, const options& o, const scale& si
     return agreed ? 0 : 1;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int bench(int argc, char** argv) {
     options o;
     if (argc == 2 && std::string_view(argv[1]) == "--help") {
         std::fwrite(help.data(), 1, help.size(), stdout);
@@ -135,4 +139,13 @@ int main(int argc, char** argv) {
         return 0;
     }
     return run_all(entries, o, sizes);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int status = bench(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    std::fprintf(stderr, "the output cannot be written\n");
+    return 2;
 }
