@@ -247,6 +247,20 @@ TEST(daisy_decoder, a_report_that_agrees_with_itself_is_waited_for_though_a_pack
     EXPECT_EQ(events(joined({sealed(0x31, 0x00, 0x04, data), ping})).substr(0, 15), "noise 0+5 ok 5+") << "one that does not agree is given up";
 }
 
+TEST(daisy_decoder, a_long_false_start_is_given_up_as_soon_as_a_packet_lies_inside) {
+    const octets text_of_201_bytes{0xC8, 0x00, 0x11, 0x81, 'x'}, damaged{0x04, 0x11, 0x00, 0x03, 0x17};
+    for (const octets& before : {octets{}, joined({ping, damaged}), joined({ping, damaged, octets(40, 0)})}) {
+        const octets stream = joined({before, text_of_201_bytes, ping});
+        for (const std::size_t chunk : {std::size_t{1}, stream.size()}) {
+            decoder d;
+            std::uint64_t latest = 0;
+            for (std::size_t i = 0; i != stream.size(); i += chunk)
+                read<format>(d, std::span(stream).subspan(i, chunk), [&](const event& e) { if (e) latest = e.offset; });
+            EXPECT_EQ(latest, stream.size() - ping.size()) << "behind " << before.size() << " bytes, in chunks of " << chunk;
+        }
+    }
+}
+
 TEST(daisy_decoder, delivers_before_it_needs_the_next_byte) {
     decoder d;
     const octets stream = joined({ping, answer, strange});

@@ -241,6 +241,29 @@ TEST(daisy_node_guard, removes_what_comes_by_twice_when_told_to) {
     EXPECT_EQ(tell(n, m, get_encoder, 211).sent, encoder_reply);
 }
 
+TEST(daisy_node_guard, tells_packets_apart_that_differ_in_one_bit) {
+    const octets one = with_crc({8, 0x12, 0x33, 0x45, 0x00, 0x00, 0x00, 0x00});
+    for (std::size_t at = 3; at != one.size(); ++at)
+        for (unsigned bit = 0; bit != 8; ++bit) {
+            octets other = one;
+            other[at] = static_cast<std::uint8_t>(other[at] ^ 1U << bit);
+            daisy::orphan_filter<2> filter(100);
+            using verdict = decltype(filter)::verdict;
+            EXPECT_EQ(filter.judge(other, 0), verdict::fresh);
+            EXPECT_EQ(filter.judge(one, 0), verdict::fresh) << "byte " << at << " bit " << bit;
+            EXPECT_EQ(filter.judge(other, 0), verdict::repeated);
+        }
+}
+
+TEST_F(daisy_node, counts_undocumented_packets_as_intact_ones) {
+    settle();
+    const octets odd = with_crc({6, 0x12, 0x00, 0x5A, 1, 2});
+    EXPECT_EQ(tell(n, m, odd).sent, odd) << "passed on";
+    EXPECT_EQ(n.quality().packets_received, 2U);
+    EXPECT_EQ(n.quality().bytes_received, get_encoder.size() + odd.size());
+    EXPECT_EQ(n.quality().resynchronisations, 0U);
+}
+
 TEST(daisy_node_limits, consumes_nothing_without_room_for_what_it_may_have_to_send) {
     board n(daisy::board(1, 1), "a description that is cut to eight");
     motor m;
