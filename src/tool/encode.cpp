@@ -35,7 +35,7 @@ int encode_lines(const options& o, input& in) {
     line_reader lines;
     int status = all_well;
     const auto take = [&](std::string_view line, bool too_long) {
-        if (line.find_first_not_of(" \t\r") == line.npos) return;
+        if (!too_long && line.find_first_not_of(" \t\r") == line.npos) return;
         const encoded<F> packet = too_long ? encoded<F>{{}, "the line is too long"} : encode_line<F>(line, o.unchecked);
         if (packet.error.empty()) return write_units<F>(out, packet.units, o.hex);
         complain("encode: line ", std::to_string(lines.number()), ": ", packet.error);

@@ -370,6 +370,11 @@ class Limits(ToolCase):
         out, err = self.encode("gateway", line.ljust(65536), line, status=1)
         self.assertEqual((out, err), (record(" 50   12"), "trama: encode: line 1: the line is too long\n"))
 
+    def test_of_a_line_that_begins_with_more_space_than_fits(self):
+        for space in (" ", "\t", "\r"):
+            self.encode_refuses("gateway", space * 65536 + self.LINE % "0", "line 1: the line is too long")
+        self.assertEqual(self.encode("gateway", " " * 65535), (b"", ""))
+
     def test_of_nesting(self):
         for depth, good in ((15, True), (16, False)):  # the line itself is one more
             line = self.LINE % ("[" * depth + "0" + "]" * depth)
