@@ -25,7 +25,8 @@ constexpr std::string_view help =
           --jobs N           on N cores, with the same output; needs a file
           --range FROM:TO    only what begins in these bytes of the file, each bound moved
                              to the next footing: the output of ranges that follow each
-                             other, put together, is that of the whole (daisy, gateway)
+                             other, put together, is that of the whole, unless one says that
+                             the part behind it may not fit (daisy, gateway)
 
   trama encode daisy|can|gateway [--hex] [--unchecked] [FILE]
         Reads JSON lines as decode prints them and writes raw bytes or candump log lines.

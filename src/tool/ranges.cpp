@@ -13,6 +13,7 @@ namespace trama::tool {
 
 namespace {
 
+/// Nobody can ask the decoder of the range before, so each one says whether the next fits.
 template <class F>
 bool decode_range(const options& o, const random_file& file) {
     const seam begin = seam_at<F>(file, o.from), end = seam_at<F>(file, o.to);
@@ -28,7 +29,8 @@ bool decode_range(const options& o, const random_file& file) {
         throw;
     }
     out.flush();
-    return decoder.at_fault();
+    if (!decoder.sealed()) complain("decode: byte ", std::to_string(end.place), ": the part behind may not fit, where packets begin there is in doubt; see --jobs");
+    return decoder.at_fault() || !decoder.sealed();
 }
 
 /// Decodes parts as long as there are any.

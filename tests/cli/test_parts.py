@@ -2,6 +2,7 @@
 
 import os
 import random
+import re
 import subprocess
 import tempfile
 import unittest
@@ -71,6 +72,7 @@ class Parts(unittest.TestCase):
             parts = [trama("decode", protocol, "--range", f"{a}:{b}", self.path) for a, b in zip(bounds, bounds[1:])]
             self.assertEqual(b"".join(part.out for part in parts), whole.out, f"cut at {cuts}")
             self.assertEqual(max(part.status for part in parts), whole.status)
+            self.assertEqual("".join(part.err for part in parts), "")
 
     def test_daisy(self):
         self.check("daisy", daisy_traffic(self.dice, 40000))
@@ -111,6 +113,24 @@ class Parts(unittest.TestCase):
         with open(self.path, "wb") as file:
             file.write((packet("11 00 03") + text) * 50000)
         self.assertEqual(trama("decode", "daisy", "--jobs", "2", self.path), trama("decode", "daisy", self.path))
+
+    def test_ranges_of_a_stream_of_two_readings(self):
+        """Where a range may not fit the one before, that one says so; where none does, they print the whole."""
+        text = packet("00 11 81", bytes.fromhex("80 0411000316 0e001181"))
+        stream = (packet("11 00 03") + text) * 3000
+        with open(self.path, "wb") as file:
+            file.write(stream)
+        whole = trama("decode", "daisy", self.path)
+        self.assertEqual((whole.status, whole.err), (0, ""))
+        for cut in (35666, 0, len(stream), *(self.dice.randrange(len(stream)) for _ in range(20))):
+            first, second = (trama("decode", "daisy", "--range", bounds, self.path) for bounds in (f"0:{cut}", f"{cut}:{len(stream)}"))
+            if first.status == 0:
+                self.assertTrue(first.out + second.out == whole.out, cut)
+                self.assertEqual((second.status, first.err), (0, ""), cut)
+            else:
+                place = int(re.fullmatch(r"trama: decode: byte (\d+): the part behind may not fit.*\n", first.err).group(1))
+                self.assertTrue(cut <= place < cut + 100, (cut, place))
+            self.assertEqual(first.status, 1 if cut == 35666 else first.status)
 
     def test_processes_side_by_side_print_the_whole(self):
         """bench/ranges_in_parallel, the pattern for a cluster's engine."""
