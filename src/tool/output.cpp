@@ -6,7 +6,7 @@
 #include <string>
 
 #include <fcntl.h>
-#include <sys/stat.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,25 +14,38 @@ namespace trama::tool {
 
 namespace {
 
-void write_all(int fd, const char* data, std::size_t size) {
-    while (size != 0) {
-        const ssize_t n = ::write(fd, data, size);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0 && errno == EPIPE) std::_Exit(all_well);
-        if (n < 0) {
-            complain("cannot write: ", std::strerror(errno));
-            std::_Exit(failed);
-        }
-        data += n;
-        size -= static_cast<std::size_t>(n);
+/// Whether a call that failed is to be made again. Whoever shares a pipe with the tool may have made it non-blocking;
+/// then this waits for the `event`.
+bool again(int fd, short event) {
+    if (errno == EINTR) return true;
+    if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
+    pollfd one{fd, event, 0};
+    (void)::poll(&one, 1, -1);
+    return true;
+}
+
+/// False if not all could be written, with the reason in errno.
+bool write_all(int fd, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t n = ::write(fd, text.data(), text.size());
+        if (n >= 0) text.remove_prefix(static_cast<std::size_t>(n));
+        else if (!again(fd, POLLOUT)) return false;
     }
+    return true;
+}
+
+void write_or_end(int fd, std::string_view text) {
+    if (write_all(fd, text)) return;
+    if (errno == EPIPE) std::_Exit(all_well);
+    complain("cannot write: ", std::strerror(errno));
+    std::_Exit(failed);
 }
 
 }  // namespace
 
 void output::write(std::string_view text) {
     if (text.size() > buffer_.size() - size_) flush();
-    if (text.size() > buffer_.size()) return write_all(fd_, text.data(), text.size());
+    if (text.size() > buffer_.size()) return write_or_end(fd_, text);
     std::memcpy(buffer_.data() + size_, text.data(), text.size());
     size_ += text.size();
 }
@@ -42,7 +55,7 @@ void output::write(std::span<const unsigned char> bytes) {
 }
 
 void output::flush() {
-    write_all(fd_, buffer_.data(), size_);
+    write_or_end(fd_, std::string_view{buffer_.data(), size_});
     size_ = 0;
 }
 
@@ -67,7 +80,7 @@ std::span<const unsigned char> input::read() {
     for (;;) {
         const ssize_t n = ::read(fd_, buffer_.data(), buffer_.size());
         if (n >= 0) return {buffer_.data(), static_cast<std::size_t>(n)};
-        if (errno == EINTR) continue;
+        if (again(fd_, POLLIN)) continue;
         complain("cannot read: ", std::strerror(errno));
         std::_Exit(failed);
     }
@@ -77,7 +90,7 @@ void complain(std::span<const std::string_view> parts) {
     std::string line = "trama: ";
     for (const std::string_view part : parts) line += part;
     line += '\n';
-    (void)!::write(STDERR_FILENO, line.data(), line.size());
+    (void)write_all(STDERR_FILENO, line);  // where else could it be told?
 }
 
 }  // namespace trama::tool

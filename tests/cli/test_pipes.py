@@ -5,10 +5,11 @@ import select
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from goldens import CAN, DAISY, GATEWAY, can_line, can_text, daisy_line, daisy_packet, gateway_line, gateway_record
-from tool import HANG, TRAMA, ToolCase, can_log, packet, record
+from tool import HANG, TRAMA, ToolCase, can_log, packet, record, trama
 
 
 class Live:
@@ -169,6 +170,45 @@ class Closed(ToolCase):
                 process.stdout.close()
                 self.assertEqual(process.stderr.read(), b"")
                 self.assertIn(process.wait(HANG), (0, 1))
+
+
+class NonBlocking(ToolCase):
+    """A pipe that somebody else made non-blocking is waited for like any other."""
+
+    def piped(self, words, given, end):
+        """What the tool prints when its end of a pipe does not block and the other side takes its time."""
+        with subprocess.Popen([TRAMA, *words], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
+                              preexec_fn=lambda: os.set_blocking(end, False)) as process:
+            if end == 0:
+                time.sleep(0.2)
+                process.stdin.write(given[:len(given) // 2])
+                time.sleep(0.2)
+                process.stdin.write(given[len(given) // 2:])
+            else:
+                process.stdin.write(given)
+            time.sleep(0.2)
+            out, err = process.communicate(timeout=HANG)
+            return out, err, process.returncode
+
+    def test_standard_input(self):
+        given = record(" 50   12") * 2
+        expected = trama("decode", "gateway", given=given).out
+        self.assertEqual(self.piped(["decode", "gateway"], given, 0), (expected, b"", 0))
+        given = b'{"message":"idle_processing","fields":{"msg_id":12}}\n' * 2
+        self.assertEqual(self.piped(["encode", "gateway"], given, 0), (record(" 50   12") * 2, b"", 0))
+
+    def test_standard_output(self):
+        given = record(" 50   12") * 4000  # what they say is more than a pipe holds
+        expected = trama("decode", "gateway", given=given).out
+        self.assertGreater(len(expected), 1 << 18)
+        out, err, status = self.piped(["decode", "gateway"], given, 1)
+        self.assertEqual((len(out), err, status), (len(expected), b"", 0))
+        self.assertTrue(out == expected)
+
+    def test_standard_error(self):
+        out, err, status = self.piped(["encode", "gateway"], b"oops\n" * 12000, 2)
+        self.assertEqual((out, status), (b"", 1))
+        self.assertEqual(err.count(b"\n"), 12000)
 
 
 class Small(ToolCase):
