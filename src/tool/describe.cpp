@@ -7,7 +7,6 @@
 
 #include <unistd.h>
 
-#include "tool/options.hpp"
 #include "tool/output.hpp"
 #include "trama/trama.hpp"
 
@@ -181,25 +180,12 @@ int describe_message(output& out, const std::vector<portrait>& all, std::string_
 
 }  // namespace
 
-int describe(std::span<char*> arguments) {
+int describe(const options& o) {
     output out(STDOUT_FILENO);
-    if (arguments.size() > 2) {
-        complain("describe: too many arguments (see trama --help)");
-        return failed;
-    }
-    if (arguments.empty()) {
-        for (const protocol p : {protocol::daisy, protocol::can, protocol::gateway}) list_messages(out, portraits(p));
-        out.flush();
-        return all_well;
-    }
-    const auto p = parse_protocol(arguments[0]);
-    if (!p) {
-        complain("describe: unknown protocol ", arguments[0], " (see trama --help)");
-        return failed;
-    }
     int status = all_well;
-    if (arguments.size() == 1) list_messages(out, portraits(*p));
-    else status = describe_message(out, portraits(*p), arguments[1]);
+    if (o.operands == 2) status = describe_message(out, portraits(o.protocol), o.message);
+    else if (o.operands == 1) list_messages(out, portraits(o.protocol));
+    else for (const protocol p : {protocol::daisy, protocol::can, protocol::gateway}) list_messages(out, portraits(p));
     out.flush();
     return status;
 }

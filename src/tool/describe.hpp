@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
+#include "tool/options.hpp"
 
 namespace trama::tool {
 
-/// `trama describe [PROTOCOL [MESSAGE]]`: the exit status.
-int describe(std::span<char*> arguments);
+/// `trama describe`: the exit status.
+int describe(const options& o);
 
 }  // namespace trama::tool

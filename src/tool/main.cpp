@@ -7,6 +7,7 @@
 #include "tool/decode.hpp"
 #include "tool/describe.hpp"
 #include "tool/encode.hpp"
+#include "tool/options.hpp"
 #include "tool/output.hpp"
 
 namespace {
@@ -42,6 +43,14 @@ Exit status: 0 all well; 1 some of the input was in error or had values that the
 protocol does not allow; 2 usage or I/O error.
 )";
 
+int show(trama::tool::options::wish asked) {
+    using namespace trama::tool;
+    output out(STDOUT_FILENO);
+    out.write(asked == options::wish::version ? "trama " TRAMA_VERSION "\n" : help);
+    out.flush();
+    return all_well;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -49,20 +58,13 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is seen as EPIPE
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     const std::string_view command = words.size() > 1 ? words[1] : "";
-    const auto arguments = words.subspan(words.size() > 1 ? 2 : words.size());
-    for (const std::string_view word : words.subspan(words.empty() ? 0 : 1)) {
-        if (word != "--help" && word != "-h" && word != "--version") continue;
-        output out(STDOUT_FILENO);
-        out.write(word == "--version" ? "trama " TRAMA_VERSION "\n" : help);
-        out.flush();
-        return all_well;
-    }
-    if (command == "decode" || command == "encode") {
-        const auto o = parse_options(command, arguments);
+    if (const auto asked = parse_wish(command); asked != options::wish::command) return show(asked);
+    if (command == "decode" || command == "encode" || command == "describe") {
+        const auto o = parse_options(command, words.subspan(2));
         if (!o) return failed;
-        return command == "decode" ? decode(*o) : encode(*o);
+        if (o->asked != options::wish::command) return show(o->asked);
+        return command == "decode" ? decode(*o) : command == "encode" ? encode(*o) : describe(*o);
     }
-    if (command == "describe") return describe(arguments);
     if (command.empty()) complain("nothing to do; see trama --help");
     else complain("unknown command ", command, "; see trama --help");
     return failed;

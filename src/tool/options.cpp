@@ -14,6 +14,11 @@ std::optional<protocol> parse_protocol(std::string_view name) noexcept {
     return std::nullopt;
 }
 
+options::wish parse_wish(std::string_view word) noexcept {
+    if (word == "--help" || word == "-h") return options::wish::help;
+    return word == "--version" ? options::wish::version : options::wish::command;
+}
+
 namespace {
 
 /// Collects what the arguments say and remembers the first thing that is wrong with them.
@@ -23,40 +28,45 @@ public:
 
     std::optional<options> read() {
         bool only_operands = false;
-        while (!left_.empty() && good_) {
+        while (!left_.empty() && good_ && found_.asked == options::wish::command) {
             const std::string_view word = left_.front();
             left_ = left_.subspan(1);
             if (!only_operands && word == "--") only_operands = true;
             else if (!only_operands && word.size() > 1 && word.front() == '-') option(word);
             else operand(word);
         }
-        if (good_ && operands_ == 0) fail("which protocol: daisy, can or gateway?");
-        if (good_ && found_.hex && found_.protocol == protocol::can) fail("--hex does not go with can, whose logs are text");
-        if (good_ && timeout_given_ && found_.protocol != protocol::can) fail("--timeout is for can only");
-        if (good_ && (found_.ranged || found_.jobs > 1)) parts();
+        if (found_.asked == options::wish::command && good_) check();
         return good_ ? std::optional{found_} : std::nullopt;
     }
 
 private:
+    /// Whether what was found goes together.
+    void check() {
+        if (found_.operands == 0 && command_ != "describe") fail("which protocol: daisy, can or gateway?");
+        if (good_ && found_.hex && found_.protocol == protocol::can) fail("--hex does not go with can, whose logs are text");
+        if (good_ && timeout_given_ && found_.protocol != protocol::can) fail("--timeout is for can only");
+        if (good_ && (found_.ranged || found_.jobs > 1)) parts();
+    }
     void fail(std::string_view what, std::string_view detail = {}) {
         complain(command_, ": ", what, detail, " (see trama --help)");
         good_ = false;
     }
     void operand(std::string_view word) {
-        if (operands_ == 0) {
+        if (found_.operands == 0) {
             if (const auto p = parse_protocol(word)) found_.protocol = *p;
             else fail("unknown protocol ", word);
-        } else if (operands_ == 1) {
-            found_.file = word;
+        } else if (found_.operands == 1) {
+            (command_ == "describe" ? found_.message : found_.file) = word;
         } else {
-            fail("more than one file: ", word);
+            fail(command_ == "describe" ? "more than one message: " : "more than one file: ", word);
         }
-        ++operands_;
+        ++found_.operands;
     }
     void option(std::string_view word) {
         const std::size_t equals = word.find('=');
         const std::string_view name = word.substr(0, equals);
-        if (name == "--hex" && equals == word.npos) found_.hex = true;
+        if (found_.asked = parse_wish(word); found_.asked != options::wish::command) return;
+        if (name == "--hex" && equals == word.npos && command_ != "describe") found_.hex = true;
         else if (name == "--unchecked" && equals == word.npos && command_ == "encode") found_.unchecked = true;
         else if (name == "--format" && command_ == "decode") format(value(name, word, equals));
         else if (name == "--timeout" && command_ == "decode") timeout(value(name, word, equals));
@@ -107,7 +117,6 @@ private:
     std::string_view command_;
     std::span<char*> left_;
     options found_{};
-    unsigned operands_ = 0;
     bool timeout_given_ = false;
     bool good_ = true;
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "tool/candump.hpp"
@@ -10,10 +11,14 @@ namespace trama::tool {
 
 enum class protocol : std::uint8_t { daisy, can, gateway };
 
-/// The command line of decode and encode.
+/// The command line behind a command.
 struct options {
+    enum class wish : std::uint8_t { command, help, version };
+    wish asked = wish::command;       ///< If it is not the command, nothing else counts.
+    unsigned operands = 0;            ///< How many of the protocol and of the file or message are there.
     tool::protocol protocol{};
-    std::string_view file = "-";  ///< `-`: standard input.
+    std::string_view file = "-";      ///< `-`: standard input.
+    std::string_view message{};       ///< Of describe.
     bool hex = false;
     bool text = false;
     bool unchecked = false;
@@ -25,7 +30,10 @@ struct options {
 
 std::optional<protocol> parse_protocol(std::string_view name) noexcept;
 
-/// Reads the arguments behind `decode` or `encode`; complains and gives nothing when they are wrong.
+/// What a word asks for: help, the version, or neither.
+options::wish parse_wish(std::string_view word) noexcept;
+
+/// Reads the arguments behind `decode`, `encode` or `describe`; complains and gives nothing when they are wrong.
 std::optional<options> parse_options(std::string_view command, std::span<char*> arguments);
 
 }  // namespace trama::tool

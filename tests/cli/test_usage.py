@@ -69,6 +69,35 @@ class Usage(ToolCase):
                      "--version", "0", "1", "2"):
             self.assertIn(word, text)
 
+    def test_help_is_an_option_of_every_command(self):
+        text, version = trama("--help").out, trama("--version").out
+        for words in (("-h",), ("decode", "--help"), ("decode", "daisy", "-h", "/no/such/file"), ("encode", "--help"), ("describe", "daisy", "--help")):
+            self.assertEqual(trama(*words), (0, text, ""), words)
+        for words in (("decode", "--version"), ("encode", "can", "--version"), ("describe", "--version")):
+            self.assertEqual(trama(*words), (0, version, ""), words)
+
+    def test_help_is_no_option_behind_two_dashes_nor_in_an_option_s_place(self):
+        for word in ("--help", "-h", "--version"):
+            for command in ("decode", "encode"):
+                self.assertIn(f"{word}: No such file", self.refused(command, "gateway", "--", word))
+            self.assertIn(f"no message {word}", self.refused("describe", "gateway", "--", word))
+            self.assertIn(f"unknown protocol {word}", self.refused("describe", "--", word))
+            for option in ("--format", "--timeout", "--jobs", "--range"):
+                self.assertIn(f", not {word}", self.refused("decode", "can", option, word))
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "--help"), "wb") as file:
+                file.write(record(" 50   12"))
+            self.assertEqual(trama("decode", "gateway", "--", "--help", cwd=folder), trama("decode", "gateway", given=record(" 50   12")))
+
+    def test_describe_takes_two_dashes_and_no_other_options(self):
+        expected = trama("describe", "gateway", "load")
+        for words in (("--", "gateway", "load"), ("gateway", "--", "load"), ("gateway", "load", "--")):
+            self.assertEqual(trama("describe", *words), expected, words)
+        self.assertEqual(trama("describe", "--"), trama("describe"))
+        for option in ("--hex", "--format", "--jobs=2", "-x"):
+            self.assertIn(f"unknown option {option}", self.refused("describe", option))
+            self.assertIn(f"unknown option {option}", self.refused("describe", "daisy", option))
+
     def test_version(self):
         run = trama("--version")
         self.assertEqual((run.status, run.err), (0, ""))
