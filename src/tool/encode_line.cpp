@@ -36,8 +36,9 @@ private:
             if (!place && !address && name != "protocol" && name != "message" && name != "fields" && name != "violations") return fail(name + ": there is no such field");
         }
         const json_value* protocol = line_.find("protocol");
-        return protocol == nullptr || (protocol->type == json_value::kind::string && protocol->text == F::name) ||
-               fail("protocol: it is " + protocol->text + ", not " + std::string{F::name});
+        if (protocol == nullptr) return true;
+        if (protocol->type != json_value::kind::string) return fail("protocol: a string is needed");
+        return protocol->text == F::name || fail("protocol: it is " + protocol->text + ", not " + std::string{F::name});
     }
     template <class T>
     bool read_number(std::string_view name, std::int64_t most, T& out) {
@@ -67,9 +68,10 @@ private:
     bool read_message() {
         const json_value* name = line_.find("message");
         if (name == nullptr) return fail("message: it is missing");
+        if (name->type != json_value::kind::string) return fail("message: a string is needed");
         bool found = false, good = false;
         F::messages::each([&]<class M>() {
-            if (found || name->type != json_value::kind::string || !is_called<M>(name->text)) return;
+            if (found || !is_called<M>(name->text)) return;
             found = true;
             good = encode_as<M>();
         });

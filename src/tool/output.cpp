@@ -41,6 +41,19 @@ void write_or_end(int fd, std::string_view text) {
     std::_Exit(failed);
 }
 
+/// Appends text of which some may come from the input: a control character, which would break the line or steer the
+/// terminal, is escaped as in JSON.
+void append_shown(std::string& line, std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    for (std::size_t i = 0; i != text.size(); ++i) {
+        const bool two = text[i] == '\xC2' && i + 1 != text.size() && (text[i + 1] & '\xE0') == '\x80';  // U+0080..U+009F in UTF-8
+        if (two) ++i;
+        const auto c = static_cast<unsigned char>(text[i]);
+        if (two || c < 0x20 || c == 0x7F) line.append("\\u00").append({digits[c >> 4], digits[c & 15]});
+        else line += text[i];
+    }
+}
+
 }  // namespace
 
 void output::write(std::string_view text) {
@@ -88,7 +101,7 @@ std::span<const unsigned char> input::read() {
 
 void complain(std::span<const std::string_view> parts) {
     std::string line = "trama: ";
-    for (const std::string_view part : parts) line += part;
+    for (const std::string_view part : parts) append_shown(line, part);
     line += '\n';
     (void)write_all(STDERR_FILENO, line);  // where else could it be told?
 }

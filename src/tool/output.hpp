@@ -51,7 +51,7 @@ private:
     std::array<unsigned char, 1 << 16> buffer_;
 };
 
-/// Writes `trama: <parts>` and a line feed to standard error.
+/// Writes `trama: <parts>` and a line feed to standard error. Control characters in the parts come out as JSON's escapes.
 void complain(std::span<const std::string_view> parts);
 template <class... Parts>
 void complain(const Parts&... parts) {

@@ -1,5 +1,6 @@
 """trama encode: JSON lines to bytes and log lines, defaults, what it refuses and how it says so."""
 
+import json
 import unittest
 
 from goldens import (CAN, DAISY, GATEWAY, ORDER_0, ORDER_1, ZEROS, can_line, can_text, columns, daisy_line, daisy_packet,
@@ -355,6 +356,24 @@ class RefusalsInWords(ToolCase):
                                 (daisy("dc_motor.set_direction", 32), "destination: 32 is not allowed ("), (daisy(kind=1), "kind: ")):
             with self.subTest(beginning):
                 self.assertTrue(self.said(line).startswith("trama: encode: line 1: " + beginning), self.said(line))
+
+    def test_of_what_should_be_a_string(self):
+        for value in (["go_node"], {"a": 1}, 1, True, None):
+            for name in ("message", "protocol"):
+                self.encode_refuses("gateway", {**gateway(), name: value}, f"line 1: {name}: a string is needed")
+
+    def test_show_no_control_character(self):
+        """Nor do other complaints: a newline would forge a line, an escape would steer the terminal."""
+        for character, shown in (("\n", "\\u000a"), ("\x1b", "\\u001b"), ("\x7f", "\\u007f"), ("\x00", "\\u0000"), ("\x9b", "\\u009b"), ("\u0131", "\u0131"), ("\xa0", "\xa0")):
+            evil = f"a{character}b"
+            twice = json.dumps({**gateway(), "violations": {evil: 1}})[:-2] + "," + json.dumps(evil) + ":2}}"
+            for line in ({**gateway(), "message": evil}, {**gateway(), "protocol": evil}, {"error": evil}, {**gateway(), evil: 1}, gateway(**{evil: 1}),
+                         gateway("ack", src_type=evil), gateway("cart_state", orders=[{}, {evil: 1}]), twice):
+                with self.subTest(line):
+                    err = self.encode_refuses("gateway", line, f"a{shown}b")
+                    self.assertEqual((err.count("\n"), character in err[:-1]), (1, character == shown))
+        for character, shown in (("\n", "\\u000a"), ("\x1b", "\\u001b")):
+            self.assertEqual(trama("encode", "gateway", f"/no/a{character}b").err, f"trama: encode: /no/a{shown}b: No such file or directory\n")
 
     def test_name_what_stands_twice(self):
         line = '{"message":"load","fields":{"level":1,"msg_id":1,"level":2}}'
