@@ -1,6 +1,7 @@
 #include "tool/decode.hpp"
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include <unistd.h>
@@ -20,9 +21,9 @@ std::string number(std::uint64_t n) { return std::to_string(n); }
 /// Tells where hex input is at fault; of very many places only the first ones.
 class hex_complaints {
 public:
-    void operator()(hex_reader::place at, std::string_view what = "no hex digit") {
+    void operator()(hex_reader::place at, std::string_view what) {
         if (++count_ <= most) complain("decode: line ", number(at.line), ", column ", number(at.column), ": ", what);
-        if (count_ == most) complain("decode: further places are not told");
+        else if (count_ == most + 1) complain("decode: further places are not told");
     }
     std::uint64_t count() const { return count_; }
 
@@ -56,7 +57,7 @@ int decode_stream(const options& o, input& in) {
     }
     p.finish(emit);
     out.flush();
-    if (const hex_reader::place* odd = hex.odd()) complaints(*odd, "the last hex digit has no partner");
+    hex.finish(complaints);
     return complaints.count() != 0 || p.at_fault() ? input_at_fault : all_well;
 }
 

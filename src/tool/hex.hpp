@@ -22,17 +22,17 @@ public:
         std::uint64_t line = 1, column = 1;
     };
 
-    /// Replaces the text in `bytes` by what it stands for. At the first of each run of characters that are neither
-    /// digits nor space it calls `report(place)`; the run is left out, with a digit before it that has no partner.
+    /// Replaces the text in `bytes` by what it stands for. A run of characters that are neither digits nor space is left
+    /// out, and a digit before it that has no partner; `report(place, what)` tells of both.
     std::span<unsigned char> read(std::span<unsigned char> bytes, auto&& report) {
         std::size_t size = 0;
         for (const unsigned char c : bytes) {
             const bool space = c == ' ' || (c >= '\t' && c <= '\r');
             const int value = hex_value(static_cast<char>(c));
             const bool foreign = value < 0 && !space;
-            if (foreign && !foreign_) report(at_);
+            if (foreign) finish(report);
+            if (foreign && !foreign_) report(at_, "no hex digit");
             foreign_ = foreign;
-            if (foreign) half_ = -1;
             if (!space && !foreign && half_ < 0) odd_ = at_;
             at_ = c == '\n' ? place{at_.line + 1, 1} : place{at_.line, at_.column + 1};
             if (space || foreign) continue;
@@ -42,8 +42,11 @@ public:
         }
         return bytes.first(size);
     }
-    /// The place of a digit that has no partner yet, or null.
-    const place* odd() const noexcept { return half_ >= 0 ? &odd_ : nullptr; }
+    /// The input ended, or was interrupted: a digit that still has no partner is reported and forgotten.
+    void finish(auto&& report) {
+        if (half_ >= 0) report(odd_, "the hex digit has no partner");
+        half_ = -1;
+    }
 
 private:
     int half_ = -1;

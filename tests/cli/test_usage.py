@@ -181,6 +181,18 @@ class HexInput(ToolCase):
         self.faulty(b"04 10 00 03 17 0", "line 1", "column 16")
         self.faulty(b"04 10 00 03 17\n04 1\n\n", "line 2", "column 4")
 
+    def test_an_odd_digit_before_a_foreign_character(self):
+        self.faulty(b"04 10 00 03 17\n04 1 zz 03", "line 2, column 4: the hex digit has no partner", "line 2, column 6: no hex digit")
+        self.faulty(b"0x04 0x10 0x00 0x03 0x17", "line 1, column 1: the hex digit", "line 1, column 2: no hex digit")
+        run = trama("decode", "daisy", "--hex", given=b"02 3 zz 03")
+        self.assertEqual(run.err, "trama: decode: line 1, column 4: the hex digit has no partner\ntrama: decode: line 1, column 6: no hex digit\n")
+
+    def test_many_places(self):
+        for count in (19, 20, 21, 1000):
+            said = trama("decode", "daisy", "--hex", given=b"!\n" * count).err.splitlines()
+            self.assertEqual(said[:20], [f"trama: decode: line {i + 1}, column 1: no hex digit" for i in range(min(count, 20))])
+            self.assertEqual(said[20:], ["trama: decode: further places are not told"] if count > 20 else [])
+
     def test_far_into_the_input(self):
         self.faulty(b"04 10 00 03 17\n" * 10_000 + b"0!", "line 10001", "column 2", lines=10_000)
 
