@@ -10,12 +10,15 @@
 
 namespace trama::tool {
 
-random_file::random_file(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+// Non-blocking, so that a pipe without a writer is refused and not waited for.
+random_file::random_file(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     struct stat s{};
-    if (fd_ < 0 || ::fstat(fd_, &s) != 0 || !S_ISREG(s.st_mode)) return;
-    size_ = static_cast<std::uint64_t>(s.st_size);
     char byte;
-    good_ = size_ != 0 || ::pread(fd_, &byte, 1, 0) == 0;
+    if (fd_ < 0 || ::fstat(fd_, &s) != 0) error_ = std::strerror(errno);
+    else if (S_ISDIR(s.st_mode)) error_ = std::strerror(EISDIR);
+    else if (!S_ISREG(s.st_mode)) error_ = "--jobs and --range need a regular file";
+    else if (s.st_size == 0 && ::pread(fd_, &byte, 1, 0) != 0) error_ = "--jobs and --range need a file that tells its size";
+    else size_ = static_cast<std::uint64_t>(s.st_size);
 }
 
 random_file::~random_file() {

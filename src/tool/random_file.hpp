@@ -20,15 +20,15 @@ public:
     random_file(const random_file&) = delete;
     random_file& operator=(const random_file&) = delete;
 
-    /// It is open, regular, and has the size that it tells, unlike those of /proc.
-    bool good() const noexcept { return good_; }
+    /// Empty when it is open, regular, and has the size that it tells, unlike those of /proc; else what is wrong.
+    const std::string& error() const noexcept { return error_; }
     std::uint64_t size() const noexcept { return size_; }
     /// What lies at `at`, as much as goes into `buffer`, less only at the end. Throws `read_fault`.
     std::span<const std::uint8_t> read(std::uint64_t at, std::span<std::uint8_t> buffer) const;
 
 private:
     int fd_;
-    bool good_ = false;
+    std::string error_;
     std::uint64_t size_ = 0;
 };
 

@@ -101,8 +101,8 @@ bool decode_file(const options& o, const random_file& file) {
 
 int decode_parts(const options& o) {
     const random_file file{std::string(o.file)};
-    if (!file.good()) {
-        complain("decode: ", o.file, ": --jobs and --range need a regular file that can be read");
+    if (!file.error().empty()) {
+        complain("decode: ", o.file, ": ", file.error());
         return failed;
     }
     try {

@@ -57,6 +57,19 @@ class Unreadable(Limits):
                 self.assertEqual((run.status, run.out), (2, b""), (path, options))
                 self.assertNotEqual(run.err, "")
 
+    def test_a_pipe_is_refused_and_not_waited_for(self):
+        os.mkfifo(self.path)
+        for options in (("--jobs", "2"), ("--range", "0:9")):
+            self.assertEqual(trama("decode", "gateway", *options, self.path),
+                             (2, b"", f"trama: decode: {self.path}: --jobs and --range need a regular file\n"))
+
+    def test_what_cannot_be_opened_is_told_as_without_them(self):
+        for path in (self.path, os.path.join(self.path, "deeper"), self.folder, ""):
+            for options in (("--jobs", "2"), ("--range", "0:9")):
+                run = trama("decode", "gateway", *options, path)
+                self.assertEqual(run, trama("decode", "gateway", path))
+                self.assertRegex(run.err, "No such file or directory|Is a directory")
+
     def test_an_empty_file_is_none(self):
         self.store(b"")
         for options in (("--jobs", "2"), ("--range", "0:9")):
