@@ -23,7 +23,8 @@ constexpr std::string_view help =
           --format text      for people instead of programs
           --timeout SECONDS  how long a multi-frame message may stall, by the log's own
                              time (can; 1 by default)
-          --jobs N           on N cores, with the same output; needs a file
+          --jobs N           on N cores if there are so many, with the same output; needs
+                             a regular file
           --range FROM:TO    only what begins in these bytes of the file, each bound moved
                              to the next footing: the output of ranges that follow each
                              other, put together, is that of the whole, unless one says that

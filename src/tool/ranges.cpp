@@ -1,5 +1,6 @@
 #include "tool/ranges.hpp"
 
+#include <algorithm>
 #include <string>
 #include <thread>
 #include <vector>
@@ -58,10 +59,17 @@ void work(turns& all, const random_file& file, const options& o) {
     }
 }
 
-/// On several cores. With fewer threads than asked for if no more can be started.
+/// How many threads decode: no more than the machine runs at once, as those would only keep lines.
+unsigned threads(unsigned jobs) {
+    const unsigned cores = std::thread::hardware_concurrency();  // 0: not known
+    return cores == 0 ? jobs : std::min(jobs, cores);
+}
+
+/// On several cores. With fewer threads than wanted if no more can be started.
 template <class F>
 bool decode_jobs(const options& o, const random_file& file) {
     constexpr std::uint64_t block = std::uint64_t{1} << 17;
+    const unsigned wanted = threads(o.jobs);
     const auto find = [&](const seam& before, std::uint64_t from) {
         try {
             return seam_at<F>(file, from, before);
@@ -69,7 +77,7 @@ bool decode_jobs(const options& o, const random_file& file) {
             return seam{file.size(), file.size(), 0};  // the part's decoder meets the fault in its turn
         }
     };
-    turns all(file.size(), block, 2 * std::size_t{o.jobs}, find);
+    turns all(file.size(), block, 2 * std::size_t{wanted}, find);
     const auto run = [&] {
         try {
             work<F>(all, file, o);
@@ -79,7 +87,7 @@ bool decode_jobs(const options& o, const random_file& file) {
     };
     std::vector<std::thread> others;
     try {
-        while (others.size() + 1 < o.jobs && others.size() < file.size() / block) others.emplace_back(run);
+        while (others.size() + 1 < wanted && others.size() < file.size() / block) others.emplace_back(run);
     } catch (const std::exception&) {
         // Those that run are enough.
     }

@@ -1,13 +1,19 @@
 #include "tool/turns.hpp"
 
+#include <algorithm>
+
 namespace trama::tool {
 
 namespace {
 
-constexpr std::size_t kept = std::size_t{4} << 20;     ///< Of one part's lines, bytes.
-constexpr std::size_t written = std::size_t{1} << 16;  ///< At a time.
+constexpr std::size_t written = std::size_t{1} << 16;  ///< Of lines at a time, bytes.
+constexpr std::size_t budget = std::size_t{64} << 20;  ///< Of all parts' lines together.
+constexpr std::size_t enough = std::size_t{4} << 20;   ///< Of one part's lines: the pings of a block take less.
 
 }  // namespace
+
+turns::turns(std::uint64_t size, std::uint64_t block, std::size_t most, search find)
+    : size_(size), block_(block), most_(most), kept_(std::clamp(budget / most, written, enough)), find_(std::move(find)), shown_(size) {}
 
 /// Appends a part. The search for its end may be long, so the others are not kept waiting meanwhile.
 void turns::cut(std::unique_lock<std::mutex>& lock) {
@@ -36,7 +42,6 @@ std::shared_ptr<part> turns::take() {
 }
 
 void turns::add(part& p, std::string_view line) {
-    if (p.text.capacity() < kept) p.text.reserve(kept + 2 * written);
     const std::size_t before = p.text.size() / written;
     p.text += line;
     if (p.text.size() / written == before) return;
@@ -45,7 +50,7 @@ void turns::add(part& p, std::string_view line) {
         const std::lock_guard lock(mutex_);
         turn = is_first(p);
     }
-    if (turn || (p.text.size() >= kept && wait(p))) write(p);
+    if (turn || (p.text.size() >= kept_ && wait(p))) write(p);
     else if (!wanted(p)) p.text.clear();
 }
 

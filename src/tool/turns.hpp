@@ -32,9 +32,8 @@ public:
     using search = std::function<seam(const seam& before, std::uint64_t from)>;
 
     /// Parts of some `block` bytes, at most `most` of them at a time, from each other at the seams that `find` gives, each
-    /// asked for with the one before it.
-    turns(std::uint64_t size, std::uint64_t block, std::size_t most, search find)
-        : size_(size), block_(block), most_(most), find_(std::move(find)), shown_(size) {}
+    /// asked for with the one before it. The more parts, the fewer of each one's lines wait, but always some.
+    turns(std::uint64_t size, std::uint64_t block, std::size_t most, search find);
 
     /// The next part to be decoded; waits while there are too many, null if there are no more.
     std::shared_ptr<part> take();
@@ -61,6 +60,7 @@ private:
 
     std::uint64_t size_, block_;
     std::size_t most_;
+    std::size_t kept_;  ///< Of a part's lines that wait, bytes.
     search find_;
     output out_{STDOUT_FILENO};  // this and `shown_` are for the thread of the first part
     progress shown_;
