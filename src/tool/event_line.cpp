@@ -150,6 +150,14 @@ bool print_event(text_sink& out, const typename F::event& e, notation n) {
     return at_fault;
 }
 
+void print_bad_line(text_sink& out, std::uint64_t number, notation n) {
+    line l(out, n);
+    l.name("protocol", can::format::name);
+    l.key("line") << number;
+    l.name("error", "bad_line");
+    l.end();
+}
+
 template bool print_event<daisy::format>(text_sink&, const daisy::event&, notation);
 template bool print_event<can::format>(text_sink&, const can::event&, notation);
 template bool print_event<gateway::format>(text_sink&, const gateway::event&, notation);

@@ -12,6 +12,9 @@ extern template bool print_event<daisy::format>(text_sink&, const daisy::event&,
 extern template bool print_event<can::format>(text_sink&, const can::event&, notation);
 extern template bool print_event<gateway::format>(text_sink&, const gateway::event&, notation);
 
+/// Writes the line, without its end, for line `number` of a log, which is none of candump's.
+void print_bad_line(text_sink& out, std::uint64_t number, notation n);
+
 /// Room for the longest line.
 inline constexpr std::size_t longest_line = 1 << 15;
 

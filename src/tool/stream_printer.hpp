@@ -21,8 +21,8 @@ public:
     }
     void bad_line(std::uint64_t number, auto& emit) {
         text_sink line(line_);
-        if (style_ == notation::json) line << "{\"protocol\":\"can\",\"line\":" << number << ",\"error\":\"bad_line\"}\n";
-        else line << "protocol=can line=" << number << " error=bad_line\n";
+        print_bad_line(line, number, style_);
+        line << '\n';
         at_fault_ = true;
         emit(line.view());
     }
