@@ -1,6 +1,7 @@
 #include "tool/json_value.hpp"
 
 #include <cstdint>
+#include <set>
 
 #include "tool/hex.hpp"
 
@@ -62,12 +63,13 @@ private:
         v.type = json_value::kind::object;
         ++at_;
         if (take('}')) return true;
+        std::set<std::string> names;  // ignored objects may have thousands
         do {
             space();
             json_value::member member;
             if (peek() != '"') return fail("a name in quotes is missing");
             if (!string(member.name)) return false;
-            if (v.find(member.name) != nullptr) return fail(member.name + ": it stands twice");
+            if (!names.insert(member.name).second) return fail(member.name + ": it stands twice");
             if (!take(':')) return fail("a colon is missing");
             if (!value(member.value, depth + 1)) return false;
             v.members.push_back(std::move(member));

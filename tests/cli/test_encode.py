@@ -1,6 +1,7 @@
 """trama encode: JSON lines to bytes and log lines, defaults, what it refuses and how it says so."""
 
 import json
+import resource
 import unittest
 
 from goldens import (CAN, DAISY, GATEWAY, ORDER_0, ORDER_1, ZEROS, can_line, can_text, columns, daisy_line, daisy_packet,
@@ -393,6 +394,17 @@ class Limits(ToolCase):
         for space in (" ", "\t", "\r"):
             self.encode_refuses("gateway", space * 65536 + self.LINE % "0", "line 1: the line is too long")
         self.assertEqual(self.encode("gateway", " " * 65535), (b"", ""))
+
+    def test_the_time_for_an_ignored_object_does_not_grow_with_its_square(self):
+        def seconds(members, lines):
+            """Processor time for so many lines with so many members each."""
+            line = self.LINE % ("{" + ",".join(f'"{i}":0' for i in range(members)) + "}") + "\n"
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            run = trama("encode", "gateway", given=line.encode() * lines)
+            self.assertEqual((run.status, run.out), (0, record(" 50   12") * lines))
+            return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        few, many = seconds(500, 160), seconds(6000, 13)
+        self.assertLess(many, 4 * few)
 
     def test_of_nesting(self):
         for depth, good in ((15, True), (16, False)):  # the line itself is one more
