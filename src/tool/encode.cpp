@@ -1,5 +1,9 @@
 #include "tool/encode.hpp"
 
+#include <array>
+#include <span>
+#include <string>
+
 #include <unistd.h>
 
 #include "tool/encode_line.hpp"

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "tool/random_file.hpp"
 #include "tool/stream_printer.hpp"
 
@@ -19,7 +24,7 @@ public:
             printer_.read(bytes, emit);
             at_ += bytes.size();
         }
-        sealed_ = end.place == file_.size() || printer_.agrees(end, emit);
+        sealed_ = end.place == file_.size() || printer_.close_at(end, emit);
         if (end.place == file_.size()) printer_.finish(emit);
     }
     /// What began before the end of the last run is out, and who joins at that seam goes on as this decoder would.

@@ -4,7 +4,7 @@
 
 namespace trama::tool {
 
-/// Decodes a part of a file, or all of it on several cores: `--range`, `--jobs`. daisy and gateway only.
+/// Decodes a part of a file (`--range`; daisy and gateway only), or all of it on several cores (`--jobs`): the exit status.
 int decode_parts(const options& o);
 
 }  // namespace trama::tool

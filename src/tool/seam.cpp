@@ -6,7 +6,6 @@
 #include "tool/log_decoder.hpp"
 #include "trama/daisy/footing.hpp"
 #include "trama/gateway/footing.hpp"
-#include "trama/gateway/format.hpp"
 
 namespace trama::tool {
 
@@ -14,6 +13,7 @@ namespace {
 
 template <class F>
 std::size_t find_footing(std::span<const std::uint8_t> bytes, std::size_t from) {
+    static_assert(is_daisy<F> || is_gateway<F>, "each format has its own rule");
     if constexpr (is_daisy<F>) return daisy::footing(bytes, from);
     else if (from == 0 && bytes[0] == gateway::stx) return 0;
     else return gateway::footing(bytes, std::max<std::size_t>(from, 1));
@@ -37,11 +37,12 @@ std::size_t find_footing<can::format>(std::span<const std::uint8_t> bytes, std::
 
 /// How far before a cut one has to join to find it.
 template <class F>
-constexpr std::size_t lead = std::size_t{1} << 12;
+constexpr std::size_t lead() {
+    static_assert(is_daisy<F> || is_gateway<F>, "each format has its own rule");
+    return is_daisy<F> ? daisy::footing_lead : gateway::footing_lead;
+}
 template <>
-constexpr std::size_t lead<daisy::format> = daisy::footing_lead;
-template <>
-constexpr std::size_t lead<gateway::format> = gateway::footing_lead;
+constexpr std::size_t lead<can::format>() { return std::size_t{1} << 12; }
 
 std::uint64_t lines_between(const random_file& file, std::uint64_t from, std::uint64_t to) {
     std::vector<std::uint8_t> block(std::size_t{1} << 16);
@@ -62,7 +63,7 @@ seam seam_at(const random_file& file, std::uint64_t from, const seam& before) {
     if (from == 0) return {};
     std::vector<std::uint8_t> window(std::size_t{1} << 14);
     while (from < file.size()) {
-        const std::uint64_t join = from - std::min<std::uint64_t>(from, lead<F>);
+        const std::uint64_t join = from - std::min<std::uint64_t>(from, lead<F>());
         const auto bytes = file.read(join, window);
         const std::size_t found = find_footing<F>(bytes, static_cast<std::size_t>(from - join));
         if (found < bytes.size()) {

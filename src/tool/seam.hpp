@@ -5,11 +5,14 @@
 
 #include "tool/random_file.hpp"
 #include "trama/daisy/format.hpp"
+#include "trama/gateway/format.hpp"
 
 namespace trama::tool {
 
 template <class F>
 inline constexpr bool is_daisy = std::is_same_v<F, daisy::format>;
+template <class F>
+inline constexpr bool is_gateway = std::is_same_v<F, gateway::format>;
 
 /// A place of a file where one decoder may end and another begin, and where the other has to join for that.
 struct seam {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "tool/event_line.hpp"
 #include "tool/log_decoder.hpp"
 #include "tool/options.hpp"
@@ -37,6 +41,8 @@ private:
 /// Prints what a stream of octets says from a seam on.
 template <class F>
 class stream_printer {
+    static_assert(is_daisy<F> || is_gateway<F>, "each format has its own rule at a seam");
+
 public:
     explicit stream_printer(const options& o, const seam& begin = {}) : lines_(o), begin_(begin.place) { decoder_.seek(begin.join); }
 
@@ -49,8 +55,8 @@ public:
         decoder_.finish();
         read({}, emit);
     }
-    /// Whether who joins at the seam `end`, up to which all was read, goes on as this decoder would.
-    bool agrees(const seam& end, auto&& emit) {
+    /// All was read up to the seam `end`: prints what it ends. Whether who joins there goes on as this decoder would.
+    bool close_at(const seam& end, auto&& emit) {
         if constexpr (is_daisy<F>) return decoder_.settled() && decoder_.offset() == end.place;
         const std::uint8_t mark = gateway::stx;  // what stands there ends what came before
         read({&mark, 1}, emit);
@@ -76,7 +82,7 @@ public:
     void finish(auto&& emit) {
         decoder_.finish([&](const can::event& e) { lines_.event<can::format>(e, emit); }, [&](std::uint64_t number) { lines_.bad_line(number, emit); });
     }
-    bool agrees(const seam&, auto&&) const noexcept { return decoder_.settled(); }
+    bool close_at(const seam&, auto&&) const noexcept { return decoder_.settled(); }
     bool at_fault() const noexcept { return lines_.at_fault(); }
 
 private:

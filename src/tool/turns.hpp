@@ -2,12 +2,17 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+
+#include <unistd.h>
 
 #include "tool/output.hpp"
 #include "tool/progress.hpp"
