@@ -46,7 +46,12 @@ text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const s
 inline text_lines library_can_lines(std::string_view log, std::uint64_t timeout, auto&& next_piece) {
     text_lines lines;
     const auto note = [&](const can::event& e) { lines.push_back(line_of<can::format>(e)); };
-    const auto note_bad = [&](std::uint64_t number) { lines.push_back("{\"protocol\":\"can\",\"line\":" + std::to_string(number) + ",\"error\":\"bad_line\"}"); };
+    const auto note_bad = [&](std::uint64_t number) {
+        std::array<char, 128> memory;
+        text_sink sink(memory);
+        tool::print_bad_line(sink, number, notation::json);
+        lines.emplace_back(sink.view());
+    };
     tool::log_decoder decoder(timeout);
     while (!log.empty()) {
         const std::string_view piece = log.substr(0, next_piece(log.size()));
