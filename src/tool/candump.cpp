@@ -53,16 +53,17 @@ bool parse_payload(std::string_view text, can::frame& f) noexcept {
         f.fd = true;
         return text.size() >= 2 && hex_value(text[1]) >= 0 && parse_data(text.substr(2), 64, f);
     }
+    // Behind a length of 8 may stand the DLC itself, one of 9..15, which mean 8 as well.
+    const std::size_t mark = text.find('_');
+    const bool raw = mark != text.npos;
+    if (raw && (mark + 2 != text.size() || hex_value(text[mark + 1]) < 9)) return false;
+    text = text.substr(0, mark);
     if (!text.empty() && text.front() == 'R') {
         f.remote = true;
-        return text.size() == 1 || (text.size() == 2 && text[1] >= '0' && text[1] <= '8');
+        if (text.size() == 1) return !raw;
+        return text.size() == 2 && (text[1] == '8' || (!raw && text[1] >= '0' && text[1] < '8'));
     }
-    if (const std::size_t raw = text.find('_'); raw != text.npos) {  // a DLC of 9..15, which still means 8 bytes
-        if (raw + 2 != text.size() || hex_value(text[raw + 1]) < 9) return false;
-        text = text.substr(0, raw);
-        return parse_data(text, 8, f) && f.length == 8;
-    }
-    return parse_data(text, 8, f);
+    return parse_data(text, 8, f) && (!raw || f.length == 8);
 }
 
 }  // namespace

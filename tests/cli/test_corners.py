@@ -80,6 +80,12 @@ class Candump(ToolCase):
         for dlc in "9abcdefABCDEF":
             self.assertEqual(self.decode("can", can_log(frame + "_" + dlc), status=1), plain, dlc)
 
+    def test_a_remote_frame_is_foreign_whatever_it_asks_for(self):
+        for request in ("R", "R0", "R8", "R8_9", "R8_A", "R8_f"):
+            self.assertEqual(self.decode("can", can_log("081#" + request)), [], request)
+        for bad in ("R9", "R7_9", "R8_8", "R8_", "R8_9A", "R_9", "R8_g"):
+            self.assertEqual(self.decode("can", can_log("081#" + bad), status=1), ['{"protocol":"can","line":1,"error":"bad_line"}'], bad)
+
     def test_what_is_no_frame(self):
         good = can_log(READ).decode().strip()
         self.assertEqual(len(self.decode("can", good.encode())), 1)
