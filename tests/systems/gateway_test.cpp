@@ -253,6 +253,32 @@ TEST(gateway_server, tells_a_new_client_every_state_and_then_only_changes) {
     EXPECT_EQ(s.poll(out), 0U);
 }
 
+TEST(gateway_server, a_cart_is_busy_until_its_transit_is_done) {
+    using gateway::cart_status, gateway::transit_phase;
+    auto s = server_with_cart_1();
+    auto& cart = *s.carts().find(1);
+    EXPECT_EQ(cart.report().cart_status, cart_status::ready);
+    ask(s, record(load_for(1)));
+    EXPECT_EQ(cart.report().cart_status, cart_status::busy | cart_status::ready) << "on its way";
+    ASSERT_TRUE(cart.slots.advance(transit_phase::transiting));
+    EXPECT_EQ(cart.report().cart_status, cart_status::busy | cart_status::ready) << "at work";
+    ask(s, record(load_for(1)));
+    EXPECT_EQ(cart.report().cart_status, cart_status::busy) << "both slots taken";
+    ASSERT_TRUE(cart.slots.advance(transit_phase::transit_done));
+    ASSERT_TRUE(cart.slots.advance(transit_phase::transit_done));
+    EXPECT_EQ(cart.report().cart_status, cart_status::ready) << "done";
+}
+
+TEST(gateway_client, finds_cargo_that_a_cart_holds_or_has_just_delivered) {
+    using gateway::order_use;
+    for (const auto use : {order_use::unused, order_use::previous, order_use::current, order_use::next}) {
+        gateway::cart_state state{};
+        state.orders[1] = {use, gateway::order_type::load, 0, 12, 0, 0, "", "T1", "box", gateway::transit_phase::none, "", "", ""};
+        EXPECT_EQ(gateway::find_cargo(state, "box"), use == order_use::unused ? nullptr : &state.orders[1]);
+        EXPECT_EQ(gateway::find_cargo(state, "bag"), nullptr);
+    }
+}
+
 TEST(gateway_server, consumes_nothing_when_a_reply_would_not_fit) {
     auto s = server_with_cart_1();
     const octets order = record(load_for(1));
