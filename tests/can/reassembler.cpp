@@ -149,6 +149,13 @@ TEST(can_reassembler, tick_shows_what_is_overdue_the_longest_stalled_first) {
     EXPECT_EQ(events(r, {reading_2(0x82, 10)}), "ok@2+2#130");
 }
 
+TEST(can_reassembler, what_a_tick_made_overdue_comes_before_the_frames_behind_it) {
+    reassembler r({0x80, 0x81, 0x82}, 100);
+    EXPECT_EQ(events(r, {reading_1(0x80, 1000), reading_1(0x81, 1090)}), "");
+    r.tick(1150);
+    EXPECT_EQ(events(r, {ask(0x82), reading_2(0x81, 1150)}), "timed_out@0+1#128 ok@2+1#130 ok@1+2#129");
+}
+
 TEST(can_reassembler, without_a_time_out_nothing_is_ever_late) {
     reassembler r;
     EXPECT_EQ(events(r, {reading_1(0x80, 0)}), "");

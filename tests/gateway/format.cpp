@@ -112,6 +112,9 @@ TEST(gateway_format, the_free_encoders_are_those_of_the_format) {
     EXPECT_EQ(encode_unchecked(m, free).value_or(0), 57U);
     EXPECT_TRUE(encode_unchecked(m, own, justify::right));
     EXPECT_EQ(free, own);
+    m.level = 7;
+    EXPECT_EQ(encode(m, free), format::encode({}, m, own, justify::right));
+    EXPECT_EQ(free, own);
     m.level = 100;
     EXPECT_EQ(encode_unchecked(m, free).error(), (error{errc::out_of_range, {4}}));
 }

@@ -279,6 +279,17 @@ TEST(gateway_client, finds_cargo_that_a_cart_holds_or_has_just_delivered) {
     }
 }
 
+TEST(gateway_server, numbers_its_messages_one_after_the_other) {
+    server_of_3 s;
+    s.carts().add(1);
+    s.connect();
+    octets out(gateway::max_record);
+    const std::size_t size = s.poll(out);
+    const std::uint32_t first = only<gateway::cart_state>({out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size)}).msg_id;
+    EXPECT_EQ(only<gateway::transit_ack>(ask(s, record(load_for(1))).reply).msg_id, first + 1);
+    EXPECT_EQ(only<gateway::transit_ack>(ask(s, record(load_for(1))).reply).msg_id, first + 2);
+}
+
 TEST(gateway_server, consumes_nothing_when_a_reply_would_not_fit) {
     auto s = server_with_cart_1();
     const octets order = record(load_for(1));
