@@ -96,18 +96,16 @@ void table() {
         return;
     }
     std::printf("\n\n| offset | size | field | type | allowed | meaning |\n|---|---|---|---|---|---|\n");
-    bool shifted = false;
     const std::vector<std::string> named = named_values<M>();
     auto values = named.begin();
     for_each_row<M>([&](const layout_row& row) {
         const std::string name = row.parent.empty() ? std::string{row.name} : std::string{row.parent} + (row.count > 1 ? "[i]." : ".") + std::string{row.name};
         const std::string count = row.parent.empty() && row.count > 1 ? std::string{"["}.append(std::to_string(row.count)).append("]") : "";
-        const std::string offset = shifted ? "last" : std::to_string(row.offset) + (row.parent.empty() || row.count == 1 ? "" : " + " + std::to_string(row.stride) + "i");
+        const std::string offset = row.from_end ? "last" : std::to_string(row.offset) + (row.parent.empty() || row.count == 1 ? "" : " + " + std::to_string(row.stride) + "i");
         const std::string size = row.size == 0 ? "rest" : row.split != 0 ? std::to_string(row.split) + " + " + std::to_string(row.size - row.split) : std::to_string(row.size);
         std::printf("| %s | %s | `%s%s` | %.*s | %s | %.*s |\n", offset.c_str(), size.c_str(), name.c_str(), count.c_str(), static_cast<int>(row.type.size()), row.type.data(),
                     values->empty() ? allowed_in_words(row.allowed).c_str() : values->c_str(), static_cast<int>(row.meaning.size()), row.meaning.data());
         if (row.constant != '\0') std::printf("| %zu | 1 | | constant | `%c` | the message's letter |\n", row.offset + row.size, row.constant);
-        shifted = shifted || (row.size == 0 && row.optional);
         ++values;
     });
     print_bits<M>();

@@ -124,10 +124,9 @@ void print_portrait(output& out, const portrait& p) {
         rows.push_back({"0", "1", "STX", "u8", "0x02", ""});
         rows.push_back({"1", "3", "type", "decimal", std::to_string(p.identity), ""});
     }
-    bool shifted = false;  // a field of varying size precedes
     for (const layout_row& row : p.fields) {
         const bool inner = !row.parent.empty(), many = row.count > 1, varies = row.size == 0;
-        std::string offset = shifted ? "last" : std::to_string(p.first_field() + row.offset);
+        std::string offset = row.from_end ? "last" : std::to_string(p.first_field() + row.offset);
         if (many && inner) offset.append(" +").append(std::to_string(row.stride)).append("i");
         std::string name = inner ? "  ." : "";
         name += row.name;
@@ -137,7 +136,6 @@ void print_portrait(output& out, const portrait& p) {
         else if (many && !inner) each += " each";
         rows.push_back({offset, each, name, std::string{row.type}, range_of(row), std::string{row.meaning}});
         if (row.constant != '\0') rows.push_back({std::to_string(p.first_field() + row.offset + row.size), "1", "letter", "u8", std::string(1, row.constant), ""});
-        shifted = shifted || (varies && row.optional);
     }
     if (p.protocol == protocol::daisy) rows.push_back({"LEN", "1", "CRC", "u8", "", "exclusive or of all bytes before it"});
     else if (p.protocol == protocol::gateway) rows.push_back({std::to_string(p.first_field() + p.size), "1", "ETX", "u8", "0x03", ""});

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "trama/can/format.hpp"
+#include "trama/core/print.hpp"
 
 namespace trama::can {
 namespace {
@@ -76,6 +77,26 @@ TEST(can_messages, a_year_beyond_9999_cannot_be_carried) {
     EXPECT_EQ(format::encode_unchecked({0x80}, m, out).error(), (error{errc::out_of_range, {2}}));
     m.year = 9999;
     EXPECT_TRUE(encode({0x80}, m, out));
+}
+
+TEST(can_messages, an_identifier_of_more_than_11_bits_is_refused_even_unchecked) {
+    const read_sensors m{.node = 1, .message_id = 1};
+    std::array<frame, 3> out{};
+    EXPECT_EQ(encode({0x7FF}, m, out).value_or(0), 1U);
+    for (const std::uint32_t id : {0x800U, 0xFFFFFFFFU}) {
+        out[0] = {};
+        EXPECT_EQ(encode({id}, m, out).error(), (error{errc::out_of_range, {field_ref::id}}));
+        EXPECT_EQ(encode_unchecked({id}, m, out).error(), (error{errc::out_of_range, {field_ref::id}}));
+        EXPECT_EQ(out[0], frame{});
+        int violations = 0;
+        format::for_each_violation({id}, m, [&](const violation& v) { violations += v.field.field == field_ref::id && v.value == id ? 1 : 100; });
+        EXPECT_EQ(violations, 1);
+    }
+    format::for_each_violation({0x7FF}, m, [&](const violation&) { ADD_FAILURE(); });
+    std::array<char, 16> room;
+    text_sink words(room);
+    print_path<read_sensors>(words, {field_ref::id});
+    EXPECT_EQ(words.view(), "id");
 }
 
 TEST(can_messages, are_ordered_by_time) {

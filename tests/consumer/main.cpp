@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <span>
 
+// windows.h defines these, and nothing keeps it from that.
+#define near
+#define far
 #include <trama/trama.hpp>
 
 namespace {

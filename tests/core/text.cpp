@@ -73,9 +73,21 @@ TEST(text, a_bounded_list_takes_what_it_has_room_for) {
     EXPECT_FALSE(list.push_back(4));
     EXPECT_EQ(list.size(), 3U);
     EXPECT_EQ(std::vector<std::uint16_t>(list.begin(), list.end()), (std::vector<std::uint16_t>{1, 2, 3}));
+    list.clear();
+    EXPECT_EQ(list.size(), 0U);
+    list = {1, 2, 3};
     list.count = 200;
     EXPECT_EQ(list.size(), 3U) << "a count that is wrong never leads outside";
     EXPECT_FALSE(list.push_back(4));
+}
+
+TEST(text, bounded_lists_compare_what_they_hold) {
+    bounded_list<std::uint16_t, 3> list{1, 2};
+    list.count = 1;
+    EXPECT_EQ(list, (bounded_list<std::uint16_t, 3>{1})) << "what was there before does not count";
+    EXPECT_NE(list, (bounded_list<std::uint16_t, 3>{2}));
+    EXPECT_NE(list, (bounded_list<std::uint16_t, 3>{1, 0}));
+    EXPECT_NE(list, (bounded_list<std::uint16_t, 3>{}));
 }
 
 }  // namespace

@@ -261,6 +261,18 @@ TEST(daisy_decoder, a_long_false_start_is_given_up_as_soon_as_a_packet_lies_insi
     }
 }
 
+TEST(daisy_decoder, seek_numbers_the_next_byte_whatever_is_pending) {
+    decoder d;
+    std::uint64_t at = 0;
+    const auto note = [&](const event& e) { if (e) at = e.offset; };
+    read<format>(d, std::span(answer).first(3), note);
+    d.seek(1000);
+    EXPECT_EQ(d.offset(), 997U);
+    read<format>(d, std::span(answer).subspan(3), note);
+    EXPECT_EQ(at, 997U);
+    EXPECT_EQ(d.offset(), 1006U);
+}
+
 TEST(daisy_decoder, delivers_before_it_needs_the_next_byte) {
     decoder d;
     const octets stream = joined({ping, answer, strange});

@@ -145,6 +145,32 @@ TEST(daisy_format, the_longest_text_and_rejected_packet_fill_the_packet) {
     EXPECT_EQ(out[0], 255);
 }
 
+TEST(daisy_format, what_a_message_views_may_lie_in_the_buffer_that_is_written) {
+    octets text;
+    for (int i = 0; i != 40; ++i) text.push_back(static_cast<std::uint8_t>('0' + i));
+    const auto same = [&](std::size_t at, auto make) {
+        std::array<std::uint8_t, max_packet> apart{}, own{};
+        const auto size = encode_unchecked(main_to_motor, make(byte_view(text)), apart);
+        ASSERT_TRUE(size);
+        std::copy(text.begin(), text.end(), own.begin() + static_cast<std::ptrdiff_t>(at));
+        ASSERT_EQ(encode_unchecked(main_to_motor, make(byte_view(std::span(own).subspan(at, text.size()))), own), size);
+        EXPECT_TRUE(std::equal(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(*size), apart.begin())) << "at " << at;
+    };
+    for (std::size_t at = 0; at != 60; ++at) {
+        same(at, [](byte_view v) { return common::init_reply{v}; });
+        same(at, [](byte_view v) { return common::error{0, v, 0x55}; });
+    }
+}
+
+TEST(daisy_format, what_the_caller_throws_passes_through_visit) {
+    const octets packet = test::sealed(0x11, 0x00, 0x43, {});
+    const auto hear = [&] {
+        decoder d;
+        read<format>(d, packet, [](const event& e) { (void)visit<format>(e.packet, [](const auto&) { throw 7; }); });
+    };
+    EXPECT_THROW(hear(), int);
+}
+
 TEST(daisy_format, names_and_keys_of_the_messages_are_unique) {
     std::vector<key> keys;
     std::vector<std::string> names;

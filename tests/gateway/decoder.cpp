@@ -39,6 +39,19 @@ std::string events(const octets& stream, bool finish = true) {
 std::string events(std::string_view text) { return events(wire(text)); }
 const std::string idle = "< 50    1>";
 
+TEST(gateway_decoder, seek_numbers_the_next_byte_whatever_is_pending) {
+    decoder d;
+    std::uint64_t at = 0;
+    const octets record = wire(idle);
+    const auto note = [&](const event& e) { if (e) at = e.offset; };
+    read<format>(d, std::span(record).first(5), note);
+    d.seek(1000);
+    EXPECT_EQ(d.offset(), 995U);
+    read<format>(d, std::span(record).subspan(5), note);
+    EXPECT_EQ(at, 995U);
+    EXPECT_EQ(d.offset(), 995U + record.size());
+}
+
 TEST(gateway_decoder, delivers_record_after_record) {
     EXPECT_EQ(events(idle + idle), "ok 0+10 ok 10+10");
     EXPECT_EQ(events(""), "");

@@ -5,6 +5,9 @@
 /// Messages of one to three CAN frames between greenhouse masters and sensor nodes. [can]
 namespace trama::can {
 
+inline constexpr std::uint32_t last_id = 0x7FF;  ///< Of a classic frame.
+inline constexpr rule id_rule{0, last_id, 0, 0, {}, "0..2047"};
+
 /// The CAN format as the generic harnesses see it.
 struct format {
     using unit = frame;
@@ -21,21 +24,25 @@ struct format {
         requires(messages::contains<M>)
     static constexpr std::size_t encoded_size(const M&) noexcept { return M::frame_lengths.size(); }
 
+    /// Calls `f(const violation&)` when the identifier has more than 11 bits.
     template <has_layout M>
-    static constexpr void for_each_violation(const can::envelope&, const M&, auto&&) noexcept {}
+    static constexpr void for_each_violation(const can::envelope& e, const M&, auto&& f) {
+        if (e.id > last_id) f(violation{{field_ref::id}, e.id, &id_rule});
+    }
 
     /// Writes `m` as frames to `out`: the frames written; `buffer_too_small`; or `out_of_range` with the first field that
-    /// has a violation. Nothing is written on error. Send the frames of one message without others of its identifier between.
+    /// has a violation, or with `id` for an identifier of more than 11 bits. Nothing is written on error. Send the frames of one message without others of its identifier between.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode(const can::envelope& e, const M& m, std::span<unit> out) noexcept {
-        if (!is_valid(m)) [[unlikely]] return refusal(m);
+        if (!is_valid(m) && e.id <= last_id) [[unlikely]] return refusal(m);
         return encode_unchecked(e, m, out);
     }
     /// As `encode`, for values that the document does not allow yet the wire can carry.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode_unchecked(const can::envelope& e, const M& m, std::span<unit> out) noexcept {
+        if (e.id > last_id) [[unlikely]] return trama::error{errc::out_of_range, {field_ref::id}};
         if (!fits_wire(m)) [[unlikely]] return unfit(m);
         if (out.size() < M::frame_lengths.size()) return errc::buffer_too_small;
         std::array<std::uint8_t, M::layout.size> body{};

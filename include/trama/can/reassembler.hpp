@@ -19,6 +19,8 @@ inline constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max()
 /// only their order and their DLC tell what they belong to. Messages come out in the order in which they complete.
 template <std::size_t Ids>
 class basic_reassembler {
+    static_assert(Ids != 0);
+
 public:
     /// Follows the document's three identifiers, without a time-out.
     constexpr basic_reassembler() noexcept

@@ -52,19 +52,24 @@ constexpr std::size_t body_size(const M& m) noexcept {
     }
 }
 
-/// Writes the fields of `m`, `body_size(m)` bytes.
+/// Writes the fields of `m`, `body_size(m)` bytes. A view in `m` may lie in them or right before: it goes first.
 template <has_layout M>
 constexpr void store_body(std::uint8_t* p, const M& m) noexcept {
     if constexpr (M::layout.fixed) {
         store_fields(p, m);
     } else {
-        each_index<M>([&]<std::size_t I>() {
-            using wire_type = typename decltype(field_of<M, I>)::wire_type;
-            if (!field_of<M, I>.exists(m)) return;
-            store_value<wire_type>(p, m.*field_of<M, I>.member);
-            if constexpr (wire::variable<wire_type>) p += wire_type::length(m.*field_of<M, I>.member);
-            else p += wire_type::size;
-        });
+        const auto store = [&]<bool View>(std::bool_constant<View>) {
+            std::size_t at = 0;
+            each_index<M>([&]<std::size_t I>() {
+                using wire_type = typename decltype(field_of<M, I>)::wire_type;
+                if (!field_of<M, I>.exists(m)) return;
+                if constexpr (requires { wire_type::keep; } == View) store_value<wire_type>(p + at, m.*field_of<M, I>.member);
+                if constexpr (wire::variable<wire_type>) at += wire_type::length(m.*field_of<M, I>.member);
+                else at += wire_type::size;
+            });
+        };
+        store(std::true_type{});
+        store(std::false_type{});
     }
 }
 

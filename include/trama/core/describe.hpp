@@ -9,7 +9,8 @@ struct layout_row {
     std::string_view name;     ///< Field, or sub-field of a structure.
     std::string_view parent;   ///< The structure's field, else empty.
     std::size_t count = 1;     ///< Elements of an array.
-    std::size_t offset = 0;    ///< Of the first byte, from the first field of the message.
+    std::size_t offset = 0;    ///< Of the first byte, from the first field of the message; see `from_end`.
+    bool from_end = false;     ///< A field of varying size precedes: `offset` counts back from the end, 1 is the last byte.
     std::size_t size = 0;      ///< Bytes of one element; 0 if it varies.
     std::size_t stride = 0;    ///< Bytes from one element of the surrounding array to the next.
     std::string_view type;     ///< Name of the wire type.
@@ -85,6 +86,19 @@ constexpr std::size_t torn(std::size_t offset) noexcept {
     else return offset;
 }
 
+/// Of a field behind one of varying size, how far its first byte lies before the end of the message; 0 of all others.
+template <has_layout M, std::size_t I>
+inline constexpr std::size_t from_end = [] {
+    bool floats = false;
+    std::size_t bytes = 0;
+    each_index<M>([&]<std::size_t J>() {
+        using wire_type = typename std::remove_cvref_t<decltype(field_of<M, J>)>::wire_type;
+        floats = floats || (J < I && wire::variable<wire_type>);
+        if (J >= I) bytes += wire_type::size;
+    });
+    return floats ? bytes : 0;
+}();
+
 }  // namespace detail
 
 /// Calls `f(const layout_row&)` for every field of `M`, those of nested structures after the field that holds them.
@@ -92,7 +106,11 @@ template <has_layout M>
 constexpr void for_each_row(auto&& f) {
     each_index<M>([&]<std::size_t I>() {
         using wire_type = typename std::remove_cvref_t<decltype(field_of<M, I>)>::wire_type;
-        const layout_row outer = detail::row_of<M, I>(M::layout.offsets[I]);
+        layout_row outer = detail::row_of<M, I>(M::layout.offsets[I]);
+        if constexpr (detail::from_end<M, I> != 0) {
+            outer.offset = detail::from_end<M, I>;
+            outer.from_end = true;
+        }
         f(outer);
         using inner = typename detail::structure<wire_type>::type;
         if constexpr (has_layout<inner>)

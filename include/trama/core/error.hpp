@@ -42,6 +42,7 @@ struct field_ref {
     static constexpr std::uint8_t none = 0xFF;
     static constexpr std::uint8_t destination = 0xFE;  ///< The address of a daisy packet, no field of the message.
     static constexpr std::uint8_t source = 0xFD;       ///< Likewise.
+    static constexpr std::uint8_t id = 0xFC;           ///< The identifier of a can message's frames, no field either.
     std::uint8_t field = none;  ///< Position in the message's layout.
     std::uint8_t index = none;  ///< Element of an array, or none.
     std::uint8_t sub = none;    ///< Position in the nested structure's layout, or none.

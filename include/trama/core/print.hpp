@@ -98,11 +98,12 @@ void print_fields(text_sink& out, const M& m, notation n) noexcept {
 }
 
 /// Writes the path of a field as the documentation prints it: `orders[1].level`; of a daisy packet's addresses `source`
-/// or `destination`; nothing if `at` names no field.
+/// or `destination`; of a can message's identifier `id`; nothing if `at` names no field.
 template <has_layout M>
 void print_path(text_sink& out, field_ref at) noexcept {
     if (at.field == field_ref::source) out << "source";
     if (at.field == field_ref::destination) out << "destination";
+    if (at.field == field_ref::id) out << "id";
     each_index<M>([&]<std::size_t I>() {
         if (at.field != I) return;
         constexpr auto& one = field_of<M, I>;

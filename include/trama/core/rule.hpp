@@ -34,7 +34,7 @@ constexpr rule between(std::int64_t low, std::int64_t high) noexcept { return {l
 
 /// A value that the wire can carry, yet the document does not allow.
 struct violation {
-    field_ref field{};              ///< `print_path<M>` writes its name. Of a daisy packet's addresses `source` or `destination`.
+    field_ref field{};              ///< `print_path<M>` writes its name. Of a daisy packet's addresses `source` or `destination`, of can's identifier `id`.
     std::int64_t value = 0;         ///< As a number, whatever the field's type.
     const rule* allowed = nullptr;  ///< Lives as long as the program.
 };

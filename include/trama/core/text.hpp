@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "trama/core/ascii.hpp"
 
@@ -79,7 +80,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Up to `Capacity` values in place; elements past `size()` are zero.
+/// Up to `Capacity` values in place. Compares those before `size()`.
 template <class T, std::size_t Capacity>
 struct bounded_list {
     std::array<T, Capacity> values{};
@@ -88,8 +89,12 @@ struct bounded_list {
     constexpr bounded_list() = default;
     /// The values given; more than `Capacity` do not compile.
     template <class... U>
-        requires(sizeof...(U) >= 1 && sizeof...(U) <= Capacity && (std::is_convertible_v<U, T> && ...))
-    constexpr bounded_list(U... all) noexcept : values{static_cast<T>(all)...}, count{sizeof...(U)} {}
+        requires(sizeof...(U) >= 1 && sizeof...(U) <= Capacity && (std::is_same_v<U, T> && ...))
+    constexpr bounded_list(U... all) noexcept : values{all...}, count{sizeof...(U)} {}
+    /// Constants, of whatever type; one that is no `T` does not compile. A variable has to be a `T`.
+    template <class... U>
+        requires(sizeof...(U) >= 1 && sizeof...(U) <= Capacity && (std::is_integral_v<U> && ...) && !(std::is_same_v<U, T> && ...))
+    consteval bounded_list(U... all) : values{checked(all)...}, count{sizeof...(U)} {}
 
     constexpr std::size_t size() const noexcept { return count < Capacity ? count : Capacity; }
     constexpr const T& operator[](std::size_t i) const noexcept { return values[i]; }
@@ -102,7 +107,17 @@ struct bounded_list {
         values[count++] = v;
         return true;
     }
-    friend constexpr bool operator==(const bounded_list&, const bounded_list&) = default;
+    constexpr void clear() noexcept { *this = {}; }
+    friend constexpr bool operator==(const bounded_list& a, const bounded_list& b) noexcept {
+        if (a.size() != b.size()) return false;
+        for (std::size_t i = 0; i != a.size(); ++i)
+            if (a.values[i] != b.values[i]) return false;
+        return true;
+    }
+
+private:
+    template <class U>
+    static consteval T checked(U v) { return std::in_range<T>(v) ? static_cast<T>(v) : throw "the value does not fit"; }
 };
 
 }  // namespace trama

@@ -139,7 +139,16 @@ struct rest {
         out = byte_view({p, n});
         return 0;
     }
-    static constexpr void store(std::uint8_t* p, const value& v) noexcept { copy_bytes(p, v.bytes().data(), v.size()); }
+    /// `v` may lie where it is written to.
+    static constexpr void store(std::uint8_t* p, const value& v) noexcept {
+        if (std::is_constant_evaluated()) {
+            std::array<std::uint8_t, Max> copy{};
+            for (std::size_t i = 0; i != v.size(); ++i) copy[i] = v[i];
+            copy_bytes(p, copy.data(), v.size());
+        } else if (!v.empty()) {
+            std::memmove(p, v.bytes().data(), v.size());
+        }
+    }
 };
 
 /// As many values as the message's `expected_count()` says. Like `rest`, its length is no constant.

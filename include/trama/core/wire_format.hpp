@@ -112,7 +112,7 @@ template <has_layout M, class Packet>
 
 /// Calls `f(const M&)` with the packet's typed message. Returns why it could not.
 template <wire_format F>
-[[gnu::always_inline]] constexpr error visit(const typename F::packet& packet, auto&& f) noexcept {
+[[gnu::always_inline]] constexpr error visit(const typename F::packet& packet, auto&& f) {
     error e{errc::unknown_message, {}};
     F::messages::at(packet.index(), [&]<class M>() __attribute__((always_inline)) {
         M m;

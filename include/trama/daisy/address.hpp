@@ -61,9 +61,9 @@ inline constexpr std::uint8_t family_bit = 0x40;    ///< Set in the commands tha
 constexpr family family_of(envelope e, std::uint8_t command) noexcept {
     if ((command & family_bit) == 0) return family::common;
     const bool response = (command & response_bit) != 0;
-    const unsigned near = response ? e.source.group() : e.destination.group();
-    const unsigned far = response ? e.destination.group() : e.source.group();
-    return family_of(near != 0 ? near : far);
+    const unsigned board_group = response ? e.source.group() : e.destination.group();
+    const unsigned peer_group = response ? e.destination.group() : e.source.group();
+    return family_of(board_group != 0 ? board_group : peer_group);
 }
 
 /// Identity of a message: the family that defines it, then its command byte. [daisy §3]

@@ -85,9 +85,9 @@ public:
 
     /// Exclusive or of `n` bytes of the run, at least 1, from `at` on, which never falls from call to call.
     constexpr std::uint8_t over(std::size_t at, std::size_t n) noexcept {
-        const std::size_t end = at + n, near = std::min(end, end_), far = std::max(end, end_);
-        const bool close = at - at_ <= step && far - near <= step && near + step <= run_.size();
-        if (close && at < end_) value_ ^= fold_xor(word_of_few<step>(run_.data() + at_, at - at_) ^ word_of_few<step>(run_.data() + near, far - near));
+        const std::size_t end = at + n, from = std::min(end, end_), to = std::max(end, end_);
+        const bool close = at - at_ <= step && to - from <= step && from + step <= run_.size();
+        if (close && at < end_) value_ ^= fold_xor(word_of_few<step>(run_.data() + at_, at - at_) ^ word_of_few<step>(run_.data() + from, to - from));
         else value_ = xor_of(run_.subspan(at, n));
         at_ = at;
         end_ = end;

@@ -68,7 +68,7 @@ struct catalogue {
     /// the response bit to the top nine bits; what else it adds up stays below and never carries.
     static constexpr std::size_t pair_of(std::uint32_t head) noexcept {
         constexpr std::uint64_t gather = std::uint64_t{1} << 48 | std::uint64_t{1} << 36 | std::uint64_t{1} << 24;
-        return std::uint64_t{head & 0x80F0F000} * gather >> 55;
+        return static_cast<std::size_t>(std::uint64_t{head & 0x80F0F000} * gather >> 55);
     }
     /// Place in `index`. All commands of the document have a low nibble and two bits: 0x0n, 0x4n and their responses.
     static constexpr std::size_t slot(unsigned group, unsigned command) noexcept { return group << 6 | (command >> 2 & 0x30) | (command & 15); }
@@ -136,9 +136,9 @@ inline constexpr catalogue known{};
 
 /// Index in `messages` of `command` between two boards, or `unknown`. [D3]
 constexpr std::size_t index_of(unsigned destination, unsigned source, unsigned command) noexcept {
-    const unsigned near = (command & response_bit) != 0 ? source >> 4 : destination >> 4;
-    const unsigned far = (command & response_bit) != 0 ? destination >> 4 : source >> 4;
-    const unsigned group = near != 0 ? near : far;
+    const unsigned board_group = (command & response_bit) != 0 ? source >> 4 : destination >> 4;
+    const unsigned peer_group = (command & response_bit) != 0 ? destination >> 4 : source >> 4;
+    const unsigned group = board_group != 0 ? board_group : peer_group;
     const std::size_t at = known.index[catalogue::slot(group < 7 ? group : 7, command)];
     return (command & 0x30) == 0 ? at : unknown;
 }

@@ -58,7 +58,7 @@ public:
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
     /// The offset of the next byte, for callers that begin inside a stream.
-    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset; }
+    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset - pending(); }
     /// In step beyond doubt and with nothing kept: from here on two settled decoders report the same of the same bytes.
     constexpr bool settled() const noexcept { return quick_from_ != never_quick; }
 

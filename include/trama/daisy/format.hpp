@@ -26,13 +26,14 @@ struct format {
 
     /// Calls `f(const violation&)` for what the document does not allow in the addresses.
     template <has_layout M>
-    static constexpr void for_each_violation(const daisy::envelope& e, const M&, auto&& f) noexcept {
+    static constexpr void for_each_violation(const daisy::envelope& e, const M&, auto&& f) {
         if (e.source.broadcast()) f(violation{{field_ref::source}, e.source.octet, &source_rule});
         if (!fits<M>(e)) f(violation{{field_ref::destination}, e.destination.octet, &destination_rule});
     }
 
     /// Writes `m` as a packet to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with the first field
     /// that has a violation, or with `destination` when the addresses imply another family [D3]. Nothing is written on error.
+    /// Views in `m` may lie in `out`: a board reports a packet from the buffer that it came in.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode(const daisy::envelope& e, const M& m, std::span<unit> out) noexcept {
@@ -50,8 +51,9 @@ struct format {
         if (out.size() < size) return errc::buffer_too_small;
         const std::uint32_t head = static_cast<std::uint32_t>(size - 1) | std::uint32_t{e.destination.octet} << 8 |
                                    std::uint32_t{e.source.octet} << 16 | std::uint32_t{command_of(M::key)} << 24;
+        if constexpr (!M::layout.fixed) store_body(out.data() + header_size, m);  // before the head, where what is viewed may lie
         store_le(out.data(), head);
-        store_body(out.data() + header_size, m);
+        if constexpr (M::layout.fixed) store_body(out.data() + header_size, m);
         std::uint8_t crc = fold_xor(head);
         // Short bodies byte by byte: a word read over bytes that were just written one by one would have to wait for them.
         if constexpr (M::layout.fixed) for (std::size_t i = 0; i != M::layout.size; ++i) crc ^= out[header_size + i];

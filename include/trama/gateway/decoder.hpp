@@ -47,7 +47,7 @@ public:
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
     /// The offset of the next byte, for callers that begin inside a stream.
-    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset; }
+    constexpr void seek(std::uint64_t offset) noexcept { offset_ = offset - pending(); }
 
 private:
     using bytes_in = std::span<const std::uint8_t>;

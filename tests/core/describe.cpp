@@ -1,0 +1,45 @@
+#include "trama/core/describe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "trama/daisy/format.hpp"
+
+namespace trama {
+namespace {
+
+template <has_layout M>
+std::map<std::string, layout_row> rows_of() {
+    std::map<std::string, layout_row> rows;
+    for_each_row<M>([&](const layout_row& row) { rows[std::string(row.name)] = row; });
+    return rows;
+}
+
+TEST(describe, a_field_behind_one_of_varying_size_counts_from_the_end) {
+    const auto rows = rows_of<daisy::common::error>();
+    EXPECT_EQ(rows.at("code").offset, 0U);
+    EXPECT_EQ(rows.at("rejected").offset, 1U);
+    EXPECT_EQ(rows.at("rejected").size, 0U);
+    EXPECT_FALSE(rows.at("rejected").from_end);
+    EXPECT_EQ(rows.at("expected_crc").offset, 1U);
+    EXPECT_TRUE(rows.at("expected_crc").from_end);
+}
+
+TEST(describe, all_others_count_from_the_first_field) {
+    daisy::messages::each([]<class M>() {
+        if constexpr (M::layout.fixed) {
+            std::size_t at = 0;
+            for_each_row<M>([&](const layout_row& row) {
+                EXPECT_FALSE(row.from_end) << M::name;
+                EXPECT_EQ(row.offset, at) << M::name << ' ' << row.name;
+                at += row.size * row.count;
+            });
+            EXPECT_EQ(at, M::layout.size);
+        }
+    });
+}
+
+}  // namespace
+}  // namespace trama
