@@ -153,13 +153,14 @@ TEST(can_schedule, gives_no_more_sensors_than_fit_into_a_reply) {
     EXPECT_EQ(can::sensors_at(m, six, {}, false), (can::active_sensors{4, {9, 8, 7, 6}}));
 }
 
-// Law: over every sequence of pushes and sends of a useful length, the frames of each identifier come out as its
-// messages went in, none between two of another.
+// Law: over every sequence of pushes, looks and sends of a useful length, the frames of each identifier come out as its
+// messages went in, none between two of another, and a frame that was looked at is the one that is sent.
 TEST(can_transmit_queue, never_mixes_two_messages_of_one_identifier) {
     std::uint64_t runs = 0;
     for (unsigned program = 0; program != 1U << 18; ++program) {
         can::transmit_queue<3> q;
         std::map<std::uint32_t, std::deque<frame>> expected;
+        frames looked_at;
         unsigned number = 0, left = program;
         for (int step = 0; step != 6; ++step, left >>= 3) {
             const unsigned op = left & 7;
@@ -170,13 +171,17 @@ TEST(can_transmit_queue, never_mixes_two_messages_of_one_identifier) {
                 const bool room = q.size() != 3;
                 ASSERT_EQ(q.push(message), room);
                 if (room) for (const frame& one : message) expected[id].push_back(one);
-            } else if (const frame* next = q.front()) {
-                ASSERT_FALSE(expected[next->id].empty());
-                ASSERT_EQ(*next, expected[next->id].front());
-                expected[next->id].pop_front();
-                q.sent();
+                continue;
             }
-            if (q.size() != 0) { ASSERT_EQ(q.front()->id, expected[0x80].empty() ? 0x81U : 0x80U) << "the lowest identifier first"; }
+            const frame* next = q.front();
+            if (next == nullptr) continue;
+            const std::uint32_t lowest = expected[0x80].empty() ? 0x81 : 0x80;
+            ASSERT_EQ(*next, looked_at.empty() ? expected[lowest].front() : looked_at.front());
+            looked_at = {*next};
+            if (op == 6) continue;
+            expected[next->id].pop_front();
+            looked_at.clear();
+            q.sent();
         }
         for (const frame& one : drain(q)) {
             ASSERT_EQ(one, expected[one.id].front());
@@ -191,6 +196,24 @@ TEST(can_transmit_queue, never_mixes_two_messages_of_one_identifier) {
     EXPECT_FALSE(q.push(frames(4)));
     q.sent();
     EXPECT_EQ(q.size(), 0U);
+}
+
+TEST(can_transmit_queue, keeps_the_frame_that_a_driver_holds_though_a_lower_identifier_comes) {
+    can::transmit_queue<2> q;
+    ASSERT_TRUE(q.push(frames{f(0x81, {1}), f(0x81, {2})}));
+    ASSERT_EQ(*q.front(), f(0x81, {1}));
+    ASSERT_TRUE(q.push(frames{f(0x80, {3})}));
+    EXPECT_EQ(*q.front(), f(0x81, {1}));
+    q.sent();
+    EXPECT_EQ(drain(q), (frames{f(0x80, {3}), f(0x81, {2})}));
+    ASSERT_TRUE(q.push(frames{f(0x81, {4})}));
+    ASSERT_TRUE(q.push(frames{f(0x80, {5})}));
+    ASSERT_EQ(*q.front(), f(0x80, {5}));
+    q.clear();
+    EXPECT_EQ(q.front(), nullptr);
+    q.sent();
+    ASSERT_TRUE(q.push(frames{f(0x81, {6})}));
+    EXPECT_EQ(drain(q), (frames{f(0x81, {6})}));
 }
 
 TEST(can_sensor_node, answers_as_the_document_shows) {
@@ -356,6 +379,22 @@ TEST(can_master, hears_the_central_masters_clock_and_confirms_it_if_that_is_its_
     const frames sent = drain(central, 0U);
     EXPECT_EQ(sent.front(), f(0x80, {99, 0, 'C', 20, 11, 3, 13, 9}));
     EXPECT_EQ(tell(central, sent, 1).news, master_news::answered);
+}
+
+TEST(can_master, loses_no_frame_of_a_clock_that_comes_while_a_request_is_in_the_drivers_hands) {
+    can::master<> m(can::master_1, {}, true);
+    ASSERT_TRUE(m.request(interval(from, to)));
+    tell(m, {}, 0);
+    const frame first = *m.front();
+    const frames clock{f(0x80, {99, 9, 'C', 20, 11, 4, 1, 12}), f(0x80, {20, 30})};
+    EXPECT_EQ(tell(m, clock, 1).news, master_news::clock);
+    m.sent(2);
+    const frames rest = drain(m, 2U);
+    ASSERT_EQ(rest.size(), 4U);
+    EXPECT_EQ(first.data[2], 'F');
+    EXPECT_EQ(frames(rest.begin(), rest.begin() + 2), clock);
+    EXPECT_EQ(rest[2].data[0], 13) << "the second frame of F: the day on which it starts";
+    EXPECT_EQ(rest[3].data[0], 23);
 }
 
 // Law: on a bus that loses, doubles and alters frames every request is answered rightly in the end, and what was set is

@@ -46,8 +46,8 @@ public:
         return request(set_clock{global_node, 0, t.year, t.month, t.day, t.hour, t.minute, t.second});
     }
 
-    /// The frame to be sent next, null when there is none.
-    constexpr const frame* front() const noexcept { return queue_.front(); }
+    /// The frame to be sent next, null when there is none. It stays the next one until `sent`.
+    constexpr const frame* front() noexcept { return queue_.front(); }
     /// That frame has left; the time-out counts from the last one of a request.
     constexpr void sent(std::uint64_t now) noexcept {
         queue_.sent();

@@ -42,8 +42,8 @@ public:
         function_.function = function::sleep;
     }
 
-    /// The frame to be sent next, null when there is none.
-    constexpr const frame* front() const noexcept { return queue_.front(); }
+    /// The frame to be sent next, null when there is none. It stays the next one until `sent`.
+    constexpr const frame* front() noexcept { return queue_.front(); }
     /// That frame has left.
     constexpr void sent() noexcept {
         queue_.sent();

@@ -28,23 +28,28 @@ public:
         return push(std::span<const frame>(frames).first(*n)) ? error{} : error{errc::buffer_too_small, {}};
     }
 
-    /// The frame to be sent next, null when there is none. It stays the next one until `sent`.
-    constexpr const frame* front() const noexcept {
-        const entry* e = first();
-        return e == nullptr ? nullptr : &e->data[e->done];
+    /// The frame to be sent next, null when there is none. It stays the next one until `sent`, whatever is pushed in
+    /// between: a driver may keep it in its mailbox and call `sent` when it has left. The pointer lives until the next call.
+    constexpr const frame* front() noexcept {
+        if (count_ == 0) return nullptr;
+        const entry& e = entries_[choose()];
+        return &e.data[e.done];
     }
     /// The frame that `front` gave is on its way: the one behind it is next.
     constexpr void sent() noexcept {
-        const entry* e = first();
-        if (e == nullptr) return;
-        const auto at = static_cast<std::size_t>(e - entries_.data());
+        if (count_ == 0) return;
+        const std::size_t at = choose();
+        chosen_ = nothing;
         if (++entries_[at].done != entries_[at].frames) return;
         for (std::size_t i = at + 1; i < count_; ++i) entries_[i - 1] = entries_[i];
         --count_;
     }
     /// Messages that wait, one under way included.
     constexpr std::size_t size() const noexcept { return count_; }
-    constexpr void clear() noexcept { count_ = 0; }
+    constexpr void clear() noexcept {
+        count_ = 0;
+        chosen_ = nothing;
+    }
 
 private:
     struct entry {
@@ -52,17 +57,21 @@ private:
         std::uint8_t done = 0;
         std::array<frame, max_frames> data{};
     };
-    /// The oldest message of the lowest identifier; entries are in the order in which they came, so one that is under
-    /// way comes before all others of its identifier.
-    constexpr const entry* first() const noexcept {
-        const entry* best = nullptr;
-        for (std::size_t i = 0; i != count_; ++i)
-            if (best == nullptr || entries_[i].data[0].id < best->data[0].id) best = &entries_[i];
-        return best;
+    static constexpr std::size_t nothing = Messages;
+
+    /// The place of the message whose frame is next. If none has been chosen: the oldest message of the lowest identifier.
+    /// Entries are in the order in which they came, so one that is under way comes before all others of its identifier.
+    constexpr std::size_t choose() noexcept {
+        if (chosen_ != nothing) return chosen_;
+        chosen_ = 0;
+        for (std::size_t i = 1; i < count_; ++i)
+            if (entries_[i].data[0].id < entries_[chosen_].data[0].id) chosen_ = i;
+        return chosen_;
     }
 
     std::array<entry, Messages> entries_{};
     std::size_t count_ = 0;
+    std::size_t chosen_ = nothing;  ///< Whose frame `front` has given and `sent` has not been told of.
 };
 
 }  // namespace trama::can
