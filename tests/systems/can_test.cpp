@@ -357,8 +357,12 @@ TEST(can_master, numbers_messages_0_to_200) {
     }
 }
 
+template <std::size_t Nodes, std::size_t Requests>
+concept makes_a_master = requires { typename can::master<Nodes, Requests>; };
+static_assert(makes_a_master<16, 16> && !makes_a_master<17, 16>, "17 polls would never have room");
+
 TEST(can_master, refuses_what_the_document_does_not_allow_and_what_does_not_fit) {
-    can::master<8, 2> m(can::central_master);
+    can::master<2, 2> m(can::central_master);
     EXPECT_EQ(m.set_every_clock({2011, 13, 1, 0, 0, 0}).code(), trama::errc::out_of_range);
     EXPECT_TRUE(m.set_every_clock(from));
     EXPECT_TRUE(m.request(can::read_sensors{1, 0}));
@@ -395,6 +399,62 @@ TEST(can_master, loses_no_frame_of_a_clock_that_comes_while_a_request_is_in_the_
     EXPECT_EQ(frames(rest.begin(), rest.begin() + 2), clock);
     EXPECT_EQ(rest[2].data[0], 13) << "the second frame of F: the day on which it starts";
     EXPECT_EQ(rest[3].data[0], 23);
+}
+
+TEST(can_master, counts_from_the_requests_last_frame_not_from_an_echo_of_the_clock) {
+    const frames clock{f(0x80, {99, 9, 'C', 20, 11, 4, 1, 12}), f(0x80, {20, 30})};
+    for (const bool answers : {false, true}) {
+        can::master<> m(can::master_1, {}, true);
+        ASSERT_TRUE(m.request(can::read_actuator{1, 0, 0}));
+        tell(m, {}, 0);
+        drain(m, 0U);
+        EXPECT_EQ(tell(m, clock, 190).news, master_news::clock);
+        EXPECT_EQ(drain(m, 190U), clock);
+        if (answers) {
+            EXPECT_EQ(tell(m, {f(0x81, {1, 0, 'A', 0, 1}, 191)}, 191).news, master_news::answered);
+            EXPECT_EQ(m.quality().round_trip.last, 191U);
+        } else {
+            EXPECT_EQ(tell(m, {}, 200).news, master_news::need_more);
+            EXPECT_EQ(tell(m, {}, 201).news, master_news::asks_again);
+        }
+    }
+}
+
+TEST(can_master, counts_the_time_out_though_an_echo_of_the_clock_still_waits) {
+    can::master<> m(can::master_1, {}, true);
+    ASSERT_TRUE(m.request(can::read_actuator{1, 0, 0}));
+    tell(m, {}, 0);
+    drain(m, 0U);
+    EXPECT_EQ(tell(m, {f(0x80, {99, 9, 'C', 20, 11, 4, 1, 12}, 190), f(0x80, {20, 30}, 190)}, 190).news, master_news::clock);
+    EXPECT_EQ(tell(m, {}, 201).news, master_news::asks_again);
+}
+
+TEST(can_master, does_not_count_the_time_out_while_the_request_waits_for_the_bus) {
+    can::master<> m(can::master_1);
+    ASSERT_TRUE(m.request(can::read_actuator{1, 0, 0}));
+    tell(m, {}, 0);
+    EXPECT_EQ(tell(m, {}, 500).news, master_news::need_more);
+    drain(m, 500U);
+    EXPECT_EQ(tell(m, {}, 700).news, master_news::need_more);
+    EXPECT_EQ(tell(m, {}, 701).news, master_news::asks_again);
+}
+
+TEST(can_master, polls_once_a_second_from_the_first_poll_on) {
+    can::master<> m(can::master_1);
+    m.poll(1);
+    tell(m, {}, 999);
+    EXPECT_EQ(m.waiting(), 1U);
+    tell(m, {}, 1000);
+    tell(m, {}, 1998);
+    EXPECT_EQ(m.waiting(), 1U);
+    tell(m, {}, 1999);
+    EXPECT_EQ(m.waiting(), 2U);
+    tell(m, {}, 2998);
+    EXPECT_EQ(m.waiting(), 2U);
+    tell(m, {}, 3100);  // a round begun late does not move those behind it
+    EXPECT_EQ(m.waiting(), 3U);
+    tell(m, {}, 3999);
+    EXPECT_EQ(m.waiting(), 4U);
 }
 
 // Law: on a bus that loses, doubles and alters frames every request is answered rightly in the end, and what was set is

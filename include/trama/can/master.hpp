@@ -9,7 +9,10 @@ namespace trama::can {
 ///
 /// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
 /// node answers would come between the frames of the reply [D6, D7].
+///
+/// `Nodes` are those it can poll, `Requests` those that can wait: a round of polls begins when there is room for all of it.
 template <std::size_t Nodes = 8, std::size_t Requests = 16>
+    requires(Nodes <= Requests)
 class master {
 public:
     /// `id` is the master's identifier: `central_master`, `master_1`, `master_2`. A master whose `confirms_clock` is set
@@ -17,7 +20,7 @@ public:
     constexpr explicit master(std::uint32_t id, const timing& t = {}, bool confirms_clock = false) noexcept
         : id_(id), timing_(t), confirms_clock_(confirms_clock), reassembler_({id, central_master}, t.partial), calendar_(t.second) {}
 
-    /// Polls `node` once a second from now on. False when there are `Nodes` already.
+    /// Polls `node` once a second from the next round on. False when there are `Nodes` already.
     constexpr bool poll(std::uint8_t node) noexcept {
         if (count_ == Nodes) return false;
         nodes_[count_++].node = node;
@@ -50,9 +53,11 @@ public:
     constexpr const frame* front() noexcept { return queue_.front(); }
     /// That frame has left; the time-out counts from the last one of a request.
     constexpr void sent(std::uint64_t now) noexcept {
+        const frame* f = queue_.front();
+        if (f == nullptr) return;
+        if (f->id == id_) since_ = now;  // not with an echo of the clock
         queue_.sent();
         line_.sent(1);
-        since_ = now;
     }
     /// Takes frames from the front of `in` and reports one thing that happened, `need_more` when there is nothing left.
     constexpr master_event next(std::span<const frame>& in, std::uint64_t now) noexcept {
@@ -127,14 +132,15 @@ private:
     constexpr void run(std::uint64_t now, master_event& e) noexcept {
         if (count_ != 0 && now >= next_poll_ && Requests - waiting_ >= count_) {
             for (std::size_t i = 0; i != count_; ++i) (void)request(read_sensors{nodes_[i].node, 0});
-            next_poll_ = now - next_poll_ < timing_.poll ? next_poll_ + timing_.poll : now + timing_.poll;
+            const bool in_step = next_poll_ != 0 && now - next_poll_ < timing_.poll;
+            next_poll_ = (in_step ? next_poll_ : now) + timing_.poll;
         }
         if (!under_way_ && waiting_ != 0) {
             under_way_ = true;
             transmit();
             since_ = now;
         }
-        const bool late = under_way_ && queue_.size() == 0 && now > since_ && now - since_ > timing_.timeout;
+        const bool late = under_way_ && !queue_.holds(id_) && now > since_ && now - since_ > timing_.timeout;
         if (!late) return;
         ++line_.timeouts;
         if (polled_node* n = find(requests_[0].node())) ++n->quality.timeouts;
@@ -181,10 +187,10 @@ private:
     std::uint32_t id_;
     timing timing_;
     bool confirms_clock_;
-    bool under_way_ = false;      ///< `requests_[0]` has been sent and not been answered.
-    std::uint8_t next_id_ = 0;    ///< 0..200.
-    std::uint64_t since_ = 0;     ///< When the latest frame left.
-    std::uint64_t next_poll_ = 0;
+    bool under_way_ = false;       ///< `requests_[0]` has been sent and not been answered.
+    std::uint8_t next_id_ = 0;     ///< 0..200.
+    std::uint64_t since_ = 0;      ///< When the latest frame of a request left.
+    std::uint64_t next_poll_ = 0;  ///< 0 before the first round.
     basic_reassembler<2> reassembler_;
     transmit_queue<2> queue_{};
     std::size_t waiting_ = 0;

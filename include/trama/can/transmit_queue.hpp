@@ -46,6 +46,12 @@ public:
     }
     /// Messages that wait, one under way included.
     constexpr std::size_t size() const noexcept { return count_; }
+    /// Whether one of them has this identifier.
+    constexpr bool holds(std::uint32_t id) const noexcept {
+        bool found = false;
+        for (std::size_t i = 0; i != count_; ++i) found = found || entries_[i].data[0].id == id;
+        return found;
+    }
     constexpr void clear() noexcept {
         count_ = 0;
         chosen_ = nothing;
