@@ -8,7 +8,8 @@ namespace trama::can {
 /// once a second. [can §1..§5]
 ///
 /// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
-/// node answers would come between the frames of the reply [D6, D7].
+/// node answers would come between the frames of the reply [D6, D7]. For the same reason the next request waits when one
+/// was sent more than once: until each attempt has been answered, or until one time-out has gone by without a reply.
 ///
 /// `Nodes` are those it can poll, `Requests` those that can wait: a round of polls begins when there is room for all of it.
 template <std::size_t Nodes = 8, std::size_t Requests = 16>
@@ -21,11 +22,7 @@ public:
         : id_(id), timing_(t), confirms_clock_(confirms_clock), reassembler_({id, central_master}, t.partial), calendar_(t.second) {}
 
     /// Polls `node` once a second from the next round on. False when there are `Nodes` already.
-    constexpr bool poll(std::uint8_t node) noexcept {
-        if (count_ == Nodes) return false;
-        nodes_[count_++].node = node;
-        return true;
-    }
+    constexpr bool poll(std::uint8_t node) noexcept { return nodes_.add(node); }
     /// Queues `m` under the next message_id, which it returns. `buffer_too_small` when `Requests` wait already;
     /// `out_of_range` with the field.
     template <request_message M>
@@ -33,14 +30,7 @@ public:
         if (waiting_ == Requests) return errc::buffer_too_small;
         m.message_id = next_id_;
         if (!is_valid(m)) return refusal(m);
-        pending_request& r = requests_[waiting_++];
-        r = {};
-        messages::each([&, i = std::uint8_t{0}]<class Other>() mutable {
-            if constexpr (std::is_same_v<Other, M>) r.index = i;
-            ++i;
-        });
-        r.size = M::layout.size;
-        store_body(r.octets.data(), m);
+        requests_[waiting_++] = pending_request::of(m);
         next_id_ = next_id_ == 200 ? std::uint8_t{0} : static_cast<std::uint8_t>(next_id_ + 1);
         return m.message_id;
     }
@@ -55,9 +45,13 @@ public:
     constexpr void sent(std::uint64_t now) noexcept {
         const frame* f = queue_.front();
         if (f == nullptr) return;
-        if (f->id == id_) since_ = now;  // not with an echo of the clock
+        const bool ours = f->id == id_;  // and no echo of the clock
         queue_.sent();
         line_.sent(1);
+        if (!ours) return;
+        since_ = now;
+        const pending_request& r = under_way_ ? requests_[0] : ended_;
+        if (polled_node* n = nodes_.find(r.node()); n != nullptr && !queue_.holds(id_)) n->quality.sent(r.frames());
     }
     /// Takes frames from the front of `in` and reports one thing that happened, `need_more` when there is nothing left.
     constexpr master_event next(std::span<const frame>& in, std::uint64_t now) noexcept {
@@ -86,31 +80,34 @@ public:
     constexpr const link_quality& quality() const noexcept { return line_; }
     /// Of one polled node, in frames; null when it is not polled.
     constexpr const link_quality* quality(std::uint8_t node) const noexcept {
-        for (std::size_t i = 0; i != count_; ++i)
-            if (nodes_[i].node == node) return &nodes_[i].quality;
-        return nullptr;
+        const polled_node* n = nodes_.find(node);
+        return n == nullptr ? nullptr : &n->quality;
     }
 
 private:
-    constexpr polled_node* find(std::uint8_t node) noexcept {
-        for (std::size_t i = 0; i != count_; ++i)
-            if (nodes_[i].node == node) return &nodes_[i];
-        return nullptr;
-    }
-
     constexpr void take(const packet& p, std::uint64_t now, master_event& e) noexcept {
         e.news = master_news::stray;
         if (id_ != central_master && p.envelope().id == central_master) {
             hear_clock(p, now, e);
             return;
         }
-        if (!under_way_ || p.envelope().id != id_ || !requests_[0].is_answered_by(p)) return;
+        if (p.envelope().id != id_) return;
+        if (!under_way_) {
+            if (!ended_.is_answered_by(p)) return;
+            ++ended_.replies;  // the next request need not wait for this one any more
+            since_ = now;
+            return;
+        }
+        if (!requests_[0].is_answered_by(p)) return;
+        ++requests_[0].replies;
         const bool right = requests_[0].is_rightly_answered_by(p);
         const std::uint64_t took = now > since_ ? now - since_ : 0;
-        if (polled_node* n = find(requests_[0].node())) {
+        if (polled_node* n = nodes_.find(requests_[0].node())) {
             n->quality.received(known.shapes[p.index()].frames, now);
             if (right) n->quality.round_trip.add(took);
         }
+        if (!right && queue_.holds(id_)) return;  // a late reply: the request is about to be sent again anyway
+        since_ = now;
         if (!right) {
             e.wrong = true;
             ask_again(e);
@@ -125,60 +122,55 @@ private:
         if (!m || m->node != global_node || !is_valid(*m)) return;
         calendar_.set({m->year, m->month, m->day, m->hour, m->minute, m->second}, now);
         e.news = master_news::clock;
-        if (confirms_clock_) (void)queue_.push_message({central_master}, *m);
+        if (!confirms_clock_) return;
+        (void)queue_.withdraw(central_master);  // an echo that nobody waits for any more
+        if (!queue_.holds(central_master)) (void)queue_.push_message({central_master}, *m);
     }
 
     /// What time brings: the poll, the next request, a time-out.
     constexpr void run(std::uint64_t now, master_event& e) noexcept {
-        if (count_ != 0 && now >= next_poll_ && Requests - waiting_ >= count_) {
-            for (std::size_t i = 0; i != count_; ++i) (void)request(read_sensors{nodes_[i].node, 0});
+        if (nodes_.count != 0 && now >= next_poll_ && Requests - waiting_ >= nodes_.count) {
+            for (std::size_t i = 0; i != nodes_.count; ++i) (void)request(read_sensors{nodes_.all[i].node, 0});
             const bool in_step = next_poll_ != 0 && now - next_poll_ < timing_.poll;
             next_poll_ = (in_step ? next_poll_ : now) + timing_.poll;
         }
-        if (!under_way_ && waiting_ != 0) {
+        const bool reply_may_come = under_way_ || ended_.attempts > ended_.replies;
+        if (queue_.holds(id_) || (reply_may_come && !is_over(now))) return;
+        if (!under_way_) {
+            if (waiting_ == 0) return;
             under_way_ = true;
             transmit();
-            since_ = now;
+            return;
         }
-        const bool late = under_way_ && !queue_.holds(id_) && now > since_ && now - since_ > timing_.timeout;
-        if (!late) return;
         ++line_.timeouts;
-        if (polled_node* n = find(requests_[0].node())) ++n->quality.timeouts;
+        if (polled_node* n = nodes_.find(requests_[0].node())) ++n->quality.timeouts;
         ask_again(e);
+    }
+    /// Whether the time for replies is over. One that has begun is waited for.
+    constexpr bool is_over(std::uint64_t now) const noexcept {
+        const std::uint64_t past = now > since_ ? now - since_ : 0;
+        return past > timing_.timeout && (reassembler_.pending() == 0 || past - timing_.timeout > timing_.partial);
     }
     /// The request under way goes to the queue, attempt by attempt.
     constexpr void transmit() noexcept {
-        pending_request& r = requests_[0];
-        ++r.attempts;
-        std::array<frame, max_frames> frames{};
-        const auto& shape = known.shapes[r.index];
-        std::size_t at = 0;
-        for (std::size_t i = 0; i != shape.frames; at += shape.lengths[i++]) {
-            frames[i].id = id_;
-            frames[i].length = shape.lengths[i];
-            copy_bytes(frames[i].data.data(), r.octets.data() + at, shape.lengths[i]);
-        }
-        (void)queue_.push(std::span<const frame>(frames).first(shape.frames));
-        if (polled_node* n = find(r.node())) n->quality.sent(shape.frames);
+        ++requests_[0].attempts;
+        const std::array<frame, max_frames> frames = requests_[0].under(id_);
+        (void)queue_.push(std::span<const frame>(frames).first(requests_[0].frames()));
     }
     constexpr void ask_again(master_event& e) noexcept {
-        polled_node* n = find(requests_[0].node());
+        polled_node* n = nodes_.find(requests_[0].node());
         const bool again = requests_[0].attempts < timing_.attempts;
         ++(again ? line_.retries : line_.failures);
         if (n != nullptr) ++(again ? n->quality.retries : n->quality.failures);
         e.news = again ? master_news::asks_again : master_news::failed;
         if (again) transmit();
-        about(e);
+        requests_[0].name_in(e);
         if (!again) finish(e);
     }
-    constexpr void about(master_event& e) const noexcept {
-        e.node = requests_[0].node();
-        e.message_id = requests_[0].message_id();
-        e.letter = requests_[0].letter();
-        e.attempt = requests_[0].attempts;
-    }
     constexpr void finish(master_event& e) noexcept {
-        about(e);
+        ended_ = requests_[0];
+        ended_.attempts -= static_cast<unsigned>(queue_.withdraw(id_));  // one that has not left need not be answered
+        ended_.name_in(e);
         for (std::size_t i = 1; i < waiting_; ++i) requests_[i - 1] = requests_[i];
         --waiting_;
         under_way_ = false;
@@ -189,14 +181,14 @@ private:
     bool confirms_clock_;
     bool under_way_ = false;       ///< `requests_[0]` has been sent and not been answered.
     std::uint8_t next_id_ = 0;     ///< 0..200.
-    std::uint64_t since_ = 0;      ///< When the latest frame of a request left.
+    std::uint64_t since_ = 0;      ///< When the latest frame of a request left, or a reply to it came.
     std::uint64_t next_poll_ = 0;  ///< 0 before the first round.
     basic_reassembler<2> reassembler_;
     transmit_queue<2> queue_{};
     std::size_t waiting_ = 0;
     std::array<pending_request, Requests> requests_{};
-    std::size_t count_ = 0;
-    std::array<polled_node, Nodes> nodes_{};
+    pending_request ended_{};  ///< The latest one that is over.
+    polled_nodes<Nodes> nodes_{};
     can::calendar calendar_;
     link_quality line_{};
 };

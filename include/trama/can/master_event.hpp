@@ -22,7 +22,7 @@ enum class master_news : std::uint8_t {
     asks_again,  ///< No reply in time, or a wrong one: the request is sent once more.
     failed,      ///< No right reply after all attempts.
     clock,       ///< The central master has set everyone's clock; `master::clock()` goes by it.
-    stray,       ///< A message that is no reply to the request under way, such as a late reply; in `packet`.
+    stray,       ///< A message that is no reply to the latest attempt of the request under way, such as a late reply; in `packet`.
     fault,       ///< Frames that make no message: `code`, `skipped`.
 };
 
@@ -50,16 +50,72 @@ struct polled_node {
     link_quality quality{};  ///< In frames.
 };
 
+/// Those of one master.
+template <std::size_t Nodes>
+struct polled_nodes {
+    std::size_t count = 0;
+    std::array<polled_node, Nodes> all{};
+
+    constexpr bool add(std::uint8_t node) noexcept {
+        if (count == Nodes) return false;
+        all[count++].node = node;
+        return true;
+    }
+    /// Null when it is none of them.
+    constexpr polled_node* find(std::uint8_t node) noexcept {
+        for (std::size_t i = 0; i != count; ++i)
+            if (all[i].node == node) return &all[i];
+        return nullptr;
+    }
+    constexpr const polled_node* find(std::uint8_t node) const noexcept {
+        for (std::size_t i = 0; i != count; ++i)
+            if (all[i].node == node) return &all[i];
+        return nullptr;
+    }
+};
+
 /// A request as a master keeps it: the frames' data run together.
 struct pending_request {
     std::uint8_t index = 0;     ///< Place in `messages`.
     std::uint8_t size = 0;
-    unsigned attempts = 0;
+    unsigned attempts = 0;      ///< How often it was given to the queue.
+    unsigned replies = 0;       ///< Right and wrong ones.
     std::array<std::uint8_t, 8 * max_frames> octets{};
+
+    template <request_message M>
+    static constexpr pending_request of(const M& m) noexcept {
+        pending_request r{};
+        messages::each([&, i = std::uint8_t{0}]<class Other>() mutable {
+            if constexpr (std::is_same_v<Other, M>) r.index = i;
+            ++i;
+        });
+        r.size = M::layout.size;
+        store_body(r.octets.data(), m);
+        return r;
+    }
+    constexpr std::size_t frames() const noexcept { return known.shapes[index].frames; }
+    /// Its `frames()` frames under identifier `id`.
+    constexpr std::array<frame, max_frames> under(std::uint32_t id) const noexcept {
+        std::array<frame, max_frames> out{};
+        std::size_t at = 0;
+        for (std::size_t i = 0; i != frames(); at += out[i++].length) {
+            out[i].id = id;
+            out[i].length = known.shapes[index].lengths[i];
+            copy_bytes(out[i].data.data(), octets.data() + at, out[i].length);
+        }
+        return out;
+    }
 
     constexpr std::uint8_t node() const noexcept { return octets[0]; }
     constexpr std::uint8_t message_id() const noexcept { return octets[1]; }
     constexpr char letter() const noexcept { return static_cast<char>(octets[2]); }
+    /// Says in `e` that this is the request that it is about.
+    constexpr void name_in(master_event& e) const noexcept {
+        e.node = node();
+        e.message_id = message_id();
+        e.letter = letter();
+        e.attempt = attempts;
+    }
     /// True for a packet with the same node, number and letter: a reply, though it may be a wrong one.
     constexpr bool is_answered_by(const packet& p) const noexcept {
         const auto body = p.body();

@@ -44,6 +44,21 @@ public:
         for (std::size_t i = at + 1; i < count_; ++i) entries_[i - 1] = entries_[i];
         --count_;
     }
+    /// Takes back the messages of `id` of which no frame has been sent or given by `front`, and returns how many.
+    constexpr std::size_t withdraw(std::uint32_t id) noexcept {
+        std::size_t kept = 0, chosen = nothing;
+        const std::size_t before = count_;
+        for (std::size_t i = 0; i != before; ++i) {
+            const entry& e = entries_[i];
+            if (e.data[0].id == id && e.done == 0 && i != chosen_) continue;
+            if (i == chosen_) chosen = kept;
+            if (kept != i) entries_[kept] = e;
+            ++kept;
+        }
+        count_ = kept;
+        chosen_ = chosen;
+        return before - kept;
+    }
     /// Messages that wait, one under way included.
     constexpr std::size_t size() const noexcept { return count_; }
     /// Whether one of them has this identifier.
