@@ -51,7 +51,12 @@ struct fake_can {
     std::deque<can::frame> in;
     std::vector<can::frame> out;
     int turns = 5;
-    bool send(const can::frame& f) { out.push_back(f); return true; }
+    std::size_t room = 100;
+    bool send(const can::frame& f) {
+        if (out.size() >= room) return false;
+        out.push_back(f);
+        return true;
+    }
 };
 void store(int, std::uint8_t) {}
 void lights(bool) {}
@@ -397,6 +402,23 @@ TEST(driving, a_master_and_a_node) {
     bus.turns = 1;
     run_master(bus, master);
     EXPECT_EQ(master.quality().round_trip.count, 2U);
+}
+
+TEST(driving, a_mailbox_that_takes_one_frame_at_a_time) {
+    can::master<> master(can::master_2);
+    can::define_function wanted{};
+    wanted.node = 3;
+    wanted.function = can::function::continuous_all;
+    wanted.message_id = master.request(wanted).value_or(1);
+    std::array<can::frame, 3> expected{};
+    ASSERT_TRUE(can::encode({can::master_2}, wanted, expected));
+    fake_can bus;
+    for (bus.room = 0; bus.room != 4; ++bus.room) {
+        bus.turns = 2;
+        run_master(bus, master);
+        ASSERT_EQ(bus.out.size(), bus.room);
+    }
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), bus.out.begin(), bus.out.end()));
 }
 
 TEST(driving, a_client_and_a_server) {
