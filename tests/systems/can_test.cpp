@@ -467,6 +467,8 @@ TEST(can_master, does_not_count_the_time_out_while_the_request_waits_for_the_bus
 TEST(can_master, echoes_the_latest_clock_only_while_an_earlier_echo_waits) {
     can::master<> m(can::master_1, {}, true);
     for (const int seconds : {30, 31, 32}) EXPECT_EQ(tell(m, {f(0x80, {99, seconds, 'C', 20, 11, 4, 1, 12}, 9), f(0x80, {20, seconds}, 9)}, 9).news, master_news::clock);
+    ASSERT_EQ(*m.front(), f(0x80, {99, 32, 'C', 20, 11, 4, 1, 12}));
+    EXPECT_EQ(tell(m, {f(0x80, {99, 33, 'C', 20, 11, 4, 1, 12}, 9), f(0x80, {20, 33}, 9)}, 9).news, master_news::clock) << "a driver has the echo before";
     ASSERT_TRUE(m.request(can::read_actuator{1, 0, 0}));
     tell(m, {}, 9);
     EXPECT_EQ(drain(m, 9U), (frames{f(0x80, {99, 32, 'C', 20, 11, 4, 1, 12}), f(0x80, {20, 32}), f(0x81, {1, 0, 'A', 0})}));
@@ -532,6 +534,24 @@ TEST(can_master, holds_the_next_request_back_for_one_time_out_at_most) {
     }
 }
 
+TEST(can_master, counts_that_time_out_anew_from_each_late_reply) {
+    can::master<> m(can::master_1);
+    ASSERT_TRUE(m.request(can::set_actuator{1, 0, 0, 1}));
+    ASSERT_TRUE(m.request(can::set_actuator{2, 0, 0, 1}));
+    tell(m, {}, 0);
+    drain(m, 0U);
+    for (const std::uint64_t now : {201U, 402U}) {
+        EXPECT_EQ(tell(m, {}, now).news, master_news::asks_again);
+        drain(m, now);
+    }
+    EXPECT_EQ(tell(m, {f(0x81, {1, 0, 'M', 0, 1}, 410)}, 410).news, master_news::answered);
+    EXPECT_EQ(tell(m, {f(0x81, {1, 0, 'M', 0, 1}, 600)}, 600).news, master_news::stray);
+    tell(m, {}, 800);
+    EXPECT_EQ(m.front(), nullptr) << "of three attempts two are answered";
+    tell(m, {}, 801);
+    EXPECT_EQ(drain(m, 801U), (frames{f(0x81, {2, 1, 'M', 0, 1})}));
+}
+
 TEST(can_master, waits_for_the_end_of_a_reply_before_it_asks_again) {
     can::master<> m(can::master_1);
     ASSERT_TRUE(m.request(can::read_sensors{1, 0}));
@@ -590,6 +610,7 @@ TEST(can_master, takes_an_attempt_back_that_has_not_left_when_the_reply_to_anoth
 
 TEST(can_master, sends_the_rest_of_an_attempt_that_has_begun_and_waits_for_its_reply) {
     can::master<> m(can::master_1);
+    m.poll(1);
     const auto ask = interval(from, to);
     ASSERT_TRUE(m.request(ask));
     ASSERT_TRUE(m.request(can::read_sensors{2, 0}));
@@ -604,7 +625,10 @@ TEST(can_master, sends_the_rest_of_an_attempt_that_has_begun_and_waits_for_its_r
     ASSERT_EQ(*m.front(), sent[0]);
     EXPECT_EQ(tell(m, at(205), 205).news, master_news::answered);
     tell(m, {}, 206);
+    EXPECT_EQ(m.quality(1)->packets_sent, 1U);
     EXPECT_EQ(drain(m, 206U), sent) << "the driver had its first frame already";
+    EXPECT_EQ(m.quality(1)->packets_sent, 2U);
+    EXPECT_EQ(m.quality(1)->bytes_sent, 6U) << "frames";
     tell(m, {}, 406);
     EXPECT_EQ(m.front(), nullptr);
     EXPECT_EQ(tell(m, at(406), 406).news, master_news::stray);
