@@ -217,6 +217,21 @@ TEST_F(daisy_node, repeats_an_alarm_until_it_is_confirmed_or_the_attempts_are_us
     EXPECT_EQ(n.quality().failures, 1U);
 }
 
+TEST(daisy_node_alarms, are_not_confirmed_by_a_late_reply_to_the_one_before) {
+    daisy::timing once;
+    once.attempts = 1;
+    board n(daisy::board(1, 1), "motor", once);
+    motor m;
+    octets out(board::max_output);
+    const octets reply = with_crc({4, 0x11, 0x00, 0xC9});
+    ASSERT_TRUE(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{1}, 0, out));
+    EXPECT_EQ(tell(n, m, {}, 201).event.news, node_news::lost);
+    EXPECT_FALSE(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{2}, 202, out));
+    EXPECT_EQ(tell(n, m, reply, 203).event.news, node_news::told);
+    ASSERT_TRUE(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{2}, 402, out));
+    EXPECT_EQ(tell(n, m, reply, 403).event.news, node_news::confirmed);
+}
+
 TEST_F(daisy_node, takes_silence_for_the_end_of_a_packet) {
     settle();
     const octets half(get_encoder.begin(), get_encoder.begin() + 3);

@@ -1,6 +1,8 @@
 // daisy::controller, and rings of it and boards, with and without damage.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -67,18 +69,25 @@ TEST(daisy_controller, matches_a_reply_by_peer_and_command) {
     EXPECT_EQ(tell(c, encoder_reply, 16).event.news, controller_news::told) << "the second reply";
 }
 
-TEST(daisy_controller, takes_a_reply_for_that_to_the_board_alone_before_that_to_everyone) {
-    for (const bool wide_first : {false, true}) {
-        controller c = with_boards({0x11});
-        if (wide_first) ask(c, daisy::everyone, daisy::common::ping{}, 0);
-        ask(c, daisy::board(1, 1), daisy::common::ping{}, 0);
-        if (!wide_first) ask(c, daisy::everyone, daisy::common::ping{}, 0);
-        EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0x83}), 1).event.news, controller_news::reply);
-        EXPECT_EQ(c.in_flight(), 1U) << "the request to the board alone is settled";
-        EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0x83}), 2).event.news, controller_news::reply);
-        EXPECT_EQ(c.in_flight(), 1U) << "the call goes on until it comes home";
-        EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x00, 0x03}), 3).event.news, controller_news::complete);
-    }
+TEST(daisy_controller, has_no_two_requests_in_flight_that_one_reply_could_answer) {
+    std::vector<daisy::address> all{daisy::everyone};
+    for (unsigned group = 1; group <= 6; ++group)
+        for (unsigned id = 0; id <= 15; ++id) all.push_back(daisy::board(group, id));
+    const auto boards_of = [](daisy::address to) {
+        std::set<unsigned> boards;
+        for (unsigned a = 0x10; a != 0x70; ++a)
+            if (a % 16 != 15 && (to.octet == a || to.octet == a / 16 * 16 + 15 || to.octet == 0xFF)) boards.insert(a);
+        return boards;
+    };
+    const controller nobody = with_boards({});
+    for (const daisy::address first : all)
+        for (const daisy::address second : all) {
+            std::vector<unsigned> both;
+            std::ranges::set_intersection(boards_of(first), boards_of(second), std::back_inserter(both));
+            controller c = nobody;
+            ASSERT_FALSE(ask(c, first, daisy::common::ping{}, 0).empty());
+            ASSERT_EQ(ask(c, second, daisy::common::ping{}, 0).empty(), !both.empty()) << unsigned{first.octet} << " " << unsigned{second.octet};
+        }
 }
 
 TEST(daisy_controller, asks_again_after_a_time_out_and_gives_up_after_the_last_attempt) {
@@ -107,6 +116,47 @@ TEST(daisy_controller, never_takes_a_late_reply_for_the_reply_to_the_next_reques
     EXPECT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::get_dc_speed{}, 211).empty()) << "another command need not wait";
     EXPECT_EQ(tell(c, encoder_reply, 230).event.news, controller_news::told);
     EXPECT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 411).empty());
+}
+
+TEST(daisy_controller, never_takes_a_boards_late_reply_for_that_to_a_call_or_the_other_way_round) {
+    const octets group = with_crc({8, 0x1F, 0x00, 0x42, 5, 0, 0, 0}), reply = with_crc({4, 0x00, 0x11, 0xC2});
+    controller c = with_boards({0x11});
+    EXPECT_EQ(ask(c, daisy::board(1, 15), daisy::dc_motor::set_encoder{5}, 0), group);
+    EXPECT_EQ(tell(c, {}, 201).sent, group);
+    EXPECT_EQ(tell(c, reply, 202).event.news, controller_news::reply);
+    EXPECT_EQ(tell(c, group, 203).event.news, controller_news::complete);
+    EXPECT_TRUE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{7}, 204).empty()) << "the call's second copy may be answered as well";
+    EXPECT_EQ(tell(c, reply, 205).event.news, controller_news::told);
+
+    ASSERT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{7}, 1000).empty());
+    EXPECT_EQ(tell(c, {}, 1201).event.news, controller_news::sent_again);
+    EXPECT_EQ(tell(c, reply, 1202).event.news, controller_news::reply);
+    EXPECT_TRUE(ask(c, daisy::board(1, 15), daisy::dc_motor::set_encoder{5}, 1203).empty());
+    EXPECT_EQ(tell(c, reply, 1204).event.news, controller_news::told);
+    EXPECT_FALSE(ask(c, daisy::board(1, 15), daisy::dc_motor::set_encoder{5}, 1403).empty());
+}
+
+TEST(daisy_controller, waits_for_a_late_reply_to_what_was_sent_but_once) {
+    daisy::timing once;
+    once.attempts = 1;
+    controller c(once);
+    const octets reply = with_crc({4, 0x00, 0x11, 0xC2});
+    ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{5}, 0);
+    EXPECT_EQ(tell(c, {}, 201).event.news, controller_news::failed);
+    EXPECT_TRUE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{7}, 202).empty()) << "a time-out is no proof that none comes";
+    EXPECT_EQ(tell(c, reply, 203).event.news, controller_news::told);
+    ASSERT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{7}, 402).empty());
+    EXPECT_EQ(tell(c, reply, 403).event.news, controller_news::reply);
+    EXPECT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{9}, 404).empty()) << "answered: nothing more can come";
+}
+
+TEST(daisy_controller, waits_for_a_late_reply_where_a_refusal_may_have_been_about_another_request) {
+    controller c = with_boards({0x11});
+    ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 0);
+    ask(c, daisy::board(1, 1), daisy::dc_motor::dont_stop{}, 1);
+    EXPECT_EQ(tell(c, with_crc({5, 0x00, 0x11, 0x04, 0x01}), 2).event.command, 0x43) << "the oldest";
+    EXPECT_TRUE(ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 3).empty()) << "the error was about dont_stop";
+    EXPECT_EQ(tell(c, encoder_reply, 4).event.news, controller_news::told);
 }
 
 TEST(daisy_controller, sends_again_what_is_reported_as_damaged) {

@@ -19,14 +19,16 @@ public:
         : self_(self), receiver_(t.idle), requests_(t), passed_(t.orphan != 0 ? t.orphan : t.timeout), alarms_(t.timeout * t.attempts) {}
 
     /// Sends `m` to a board or, by id 15, to a group or everyone: the bytes in `out`. `buffer_too_small` also when there
-    /// is no place for it yet: `InFlight` requests wait, or one to the same address by the same command waits or settles.
+    /// is no place for it yet: all `InFlight` places are taken by requests that wait or settle, to whatever board, or one
+    /// of them has the same command and a board in common with `to`.
     template <request_message M>
     constexpr result<std::size_t> request(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
         static_assert(min_packet + M::layout.max_size <= max_request);
-        if (!requests_.has_place(to, command_of(M::key), now)) return errc::buffer_too_small;
+        request_in_flight* place = requests_.place_for(to, command_of(M::key), now);
+        if (place == nullptr) return errc::buffer_too_small;
         const auto size = format::encode({to, self_}, m, out);
         if (size) {
-            requests_.add(out.first(*size), now);
+            requests_.add(*place, out.first(*size), now);
             count_sent(to, *size);
         }
         return size;
@@ -98,7 +100,7 @@ private:
         e.news = boards_.size() != before ? controller_news::board : controller_news::reply;
         if (board_info* b = boards_.find(e.peer)) b->quality.round_trip.add(elapsed(r->latest, now));
         line_.round_trip.add(elapsed(r->latest, now));
-        if (!r->destination().broadcast()) requests_.settle(*r, now);
+        if (!r->destination().broadcast()) requests_.finish(*r, now);
     }
     /// Replies to init and reset make the list of boards.
     constexpr void list(const packet& p, std::uint64_t now) noexcept {
@@ -140,7 +142,7 @@ private:
         e.news = controller_news::failed;
         ++line_.failures;
         if (b != nullptr) ++b->quality.failures;
-        requests_.settle(*r, now);
+        requests_.give_up(*r, now);
     }
     constexpr void send_again(request_in_flight& r, std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
         out.copy(r.packet());

@@ -86,7 +86,7 @@ public:
     constexpr std::uint64_t reached_by(address to) const noexcept {
         std::uint64_t all = 0;
         for (std::size_t i = 0; i != count_; ++i)
-            if (to == everyone || to == boards_[i].where || (to.broadcast() && to.group() == boards_[i].where.group())) all |= std::uint64_t{1} << i;
+            if (reaches(to, boards_[i].where)) all |= std::uint64_t{1} << i;
         return all;
     }
 

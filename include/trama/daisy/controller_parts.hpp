@@ -21,7 +21,7 @@ constexpr void controller<InFlight, Boards>::troubled(const packet& p, std::uint
     about(*r, e);
     e.peer = p.envelope().source;
     e.news = controller_news::refused;
-    if (!wide) requests_.settle(*r, now);
+    if (!wide) requests_.give_up(*r, now);  // another request may be what was refused
 }
 
 /// A request for the controller.
@@ -53,7 +53,7 @@ constexpr void controller<InFlight, Boards>::came_back(const packet& p, std::uin
     about(*r, e);
     e.news = wide ? controller_news::complete : controller_news::absent;
     if (!wide) ++line_.failures;
-    requests_.settle(*r, now);
+    requests_.finish(*r, now);
 }
 
 /// A packet came damaged. [daisy §3.4]

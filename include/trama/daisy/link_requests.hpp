@@ -23,6 +23,9 @@ using reply_of = typename detail::in_list<key_of(family_of(M::key), command_of(M
 template <class M>
 concept request_message = messages::contains<M> && (command_of(M::key) & response_bit) == 0 && !std::is_void_v<reply_of<M>>;
 
+/// Whether what is sent to `to` is for the board `one`.
+constexpr bool reaches(address to, address one) noexcept { return to == one || to == everyone || (to.broadcast() && to.group() == one.group()); }
+
 inline constexpr std::size_t max_request = 16;  ///< No request of the document is longer.
 
 /// A request that has been sent and waits for its reply.
@@ -42,55 +45,46 @@ struct request_in_flight {
     constexpr std::uint8_t command() const noexcept { return octets[3]; }
     /// True when a packet of `source` with the response bit set in `command` is what it waits for.
     constexpr bool expects(address source, std::uint8_t reply_command) const noexcept {
-        if (reply_command != (command() | response_bit)) return false;
-        const address to = destination();
-        return to == source || to == everyone || (to.broadcast() && to.group() == source.group());
+        return reply_command == (command() | response_bit) && reaches(destination(), source);
+    }
+    /// True when one reply could be taken for that to this and for that to another request.
+    constexpr bool overlaps(address to, std::uint8_t other_command) const noexcept {
+        return command() == other_command && (reaches(destination(), to) || reaches(to, destination()));
     }
 };
 
-/// Requests in flight, told apart by peer and command, all that a reply says.
+/// Requests in flight, told apart by peer and command, all that a reply says: no two are in the table that one reply
+/// could answer.
 ///
-/// A request that was sent more than once may get more than one reply. Its place therefore stays taken for one time-out
-/// after the first, so that a late reply is never taken for the reply to the next request.
+/// A reply may also come late: a request that was sent more than once may get more than one, and one that was given up
+/// may get one still. The place of such a request therefore stays taken, it settles, for one time-out after the end, so
+/// that a late reply is never taken for the reply to the next request.
 template <std::size_t Size>
 class request_table {
 public:
     constexpr explicit request_table(const timing& t) noexcept : timing_(t) {}
 
-    /// Notes `packet`, at most `max_request` bytes, as sent. Null when the table is full, or one of this peer and command
-    /// is in flight or settling.
-    constexpr request_in_flight* add(std::span<const std::uint8_t> packet, std::uint64_t now) noexcept {
+    /// A free place; null when there is none, or one in flight or settling could get the same reply.
+    constexpr request_in_flight* place_for(address to, std::uint8_t command, std::uint64_t now) noexcept {
         request_in_flight* place = nullptr;
         for (request_in_flight& r : requests_) {
             release(r, now);
             if (r.now == request_in_flight::state::free) place = &r;
-            else if (r.octets[1] == packet[1] && r.octets[3] == packet[3]) return nullptr;
+            else if (r.overlaps(to, command)) return nullptr;
         }
-        if (place == nullptr) return nullptr;
-        *place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, now, now, 0, {}};
-        copy_bytes(place->octets.data(), packet.data(), packet.size());
         return place;
     }
-    /// Whether `add` would have a place for a request to `to`.
-    constexpr bool has_place(address to, std::uint8_t command, std::uint64_t now) noexcept {
-        bool place = false;
-        for (request_in_flight& r : requests_) {
-            release(r, now);
-            if (r.now == request_in_flight::state::free) place = true;
-            else if (r.destination() == to && r.command() == command) return false;
-        }
-        return place;
+    /// Notes `packet`, at most `max_request` bytes, as sent, in a `place_for` it.
+    static constexpr void add(request_in_flight& place, std::span<const std::uint8_t> packet, std::uint64_t now) noexcept {
+        place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, now, now, 0, {}};
+        copy_bytes(place.octets.data(), packet.data(), packet.size());
     }
 
-    /// The request that a reply belongs to, null when none waits for it. One to a single board comes before a broadcast.
+    /// The request that a reply belongs to, null when none waits for it.
     constexpr request_in_flight* find(address source, std::uint8_t reply_command) noexcept {
-        request_in_flight* wide = nullptr;
-        for (request_in_flight& r : requests_) {
-            if (r.now != request_in_flight::state::waiting || !r.expects(source, reply_command)) continue;
-            if (r.destination() == source) return &r;
-            wide = &r;
-        }
-        return wide;
+        for (request_in_flight& r : requests_)
+            if (is_waiting(r) && r.expects(source, reply_command)) return &r;
+        return nullptr;
     }
     /// The oldest request that waits for `peer`, by any command: `error` does not say which one it is about.
     /// One to a single board comes before a broadcast.
@@ -136,9 +130,14 @@ public:
         ++r.attempts;
         r.latest = now;
     }
-    /// It is answered or given up.
-    static constexpr void settle(request_in_flight& r, std::uint64_t now) noexcept {
+    /// It is answered, or nobody can answer it. Nothing more can come if it was sent but once.
+    static constexpr void finish(request_in_flight& r, std::uint64_t now) noexcept {
         r.now = r.attempts > 1 ? request_in_flight::state::settling : request_in_flight::state::free;
+        r.latest = now;
+    }
+    /// It is given up. A reply may come all the same.
+    static constexpr void give_up(request_in_flight& r, std::uint64_t now) noexcept {
+        r.now = request_in_flight::state::settling;
         r.latest = now;
     }
     /// Requests that wait for a reply.

@@ -24,13 +24,17 @@ public:
         for (; text_size_ != description.size() && text_size_ != Description; ++text_size_) text_[text_size_] = static_cast<std::uint8_t>(description[text_size_]);
     }
 
-    /// Sends an alarm, or any request, to `to`: the bytes in `out`. `buffer_too_small` also when `Alarms` wait already
-    /// or one of this command does. It is repeated until its reply comes or the attempts are used up.
+    /// Sends an alarm, or any request, to `to`: the bytes in `out`. `buffer_too_small` also when there
+    /// is no place for it yet, as in `controller::request`. It is repeated until its reply comes or the attempts are used up.
     template <request_message M>
     constexpr result<std::size_t> send(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
-        if (!alarms_.has_place(to, command_of(M::key), now)) return errc::buffer_too_small;
+        request_in_flight* place = alarms_.place_for(to, command_of(M::key), now);
+        if (place == nullptr) return errc::buffer_too_small;
         const auto size = format::encode({to, self_}, m, out);
-        if (size) { alarms_.add(out.first(*size), now); line_.sent(*size); }
+        if (size) {
+            alarms_.add(*place, out.first(*size), now);
+            line_.sent(*size);
+        }
         return size;
     }
 
@@ -81,7 +85,7 @@ private:
             if (alarm == nullptr) return;
             e.news = node_news::confirmed;
             line_.round_trip.add(elapsed(alarm->first, now));
-            alarms_.settle(*alarm, now);
+            alarms_.finish(*alarm, now);
         } else if (p.key() == common::error::key) {
             resend(p, now, out, e);
         } else {
@@ -149,7 +153,7 @@ private:
         ++(again ? line_.retries : line_.failures);
         if (again) out.copy(late->packet());
         if (again) alarms_.repeated(*late, now);
-        else alarms_.settle(*late, now);
+        else alarms_.give_up(*late, now);
     }
     /// A packet came damaged. [daisy §3.4]
     constexpr void complain(const event& got, packet_writer& out, node_event& e) noexcept {
