@@ -215,6 +215,34 @@ TEST(daisy_controller, acknowledges_alarms_and_refuses_other_requests) {
     EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0x03}), 400).sent, with_crc({4, 0x11, 0x00, 0x83}));
 }
 
+TEST(daisy_controller, takes_an_alarm_for_a_repeated_one_only_if_it_is_that_boards_latest_by_its_command) {
+    controller c = with_boards({0x21, 0x22});
+    const auto again = [&](std::uint8_t from, std::uint8_t servo, std::uint8_t state, std::uint64_t now) {
+        const auto e = tell(c, with_crc({7, 0x00, from, 0x4C, servo, 3, state}), now).event;
+        EXPECT_EQ(e.news, controller_news::alarm);
+        return e.again;
+    };
+    EXPECT_FALSE(again(0x21, 1, 1, 0));
+    EXPECT_FALSE(again(0x22, 1, 1, 1)) << "another board's";
+    EXPECT_TRUE(again(0x21, 1, 1, 2));
+    EXPECT_FALSE(again(0x21, 1, 0, 3)) << "low";
+    EXPECT_FALSE(again(0x21, 1, 1, 4)) << "high once more: another edge";
+    EXPECT_TRUE(again(0x21, 1, 1, 804));
+    EXPECT_FALSE(again(0x21, 1, 1, 805)) << "the attempts of the one before are over";
+    EXPECT_FALSE(again(0x22, 1, 1, 805));
+}
+
+TEST(daisy_controller, remembers_an_alarm_of_each_command_of_each_board) {
+    daisy::controller<1, 15> c;
+    for (const bool second : {false, true})
+        for (unsigned id = 0; id != 15; ++id)
+            for (const std::uint8_t command : {std::uint8_t{0x49}, std::uint8_t{0x4A}}) {
+                const auto e = tell(c, with_crc({6, 0x00, static_cast<std::uint8_t>(0x10 + id), command, 1, 0}), second ? 1 : 0).event;
+                ASSERT_EQ(e.news, controller_news::alarm);
+                ASSERT_EQ(e.again, second);
+            }
+}
+
 TEST(daisy_controller, passes_on_only_what_a_known_board_sends_and_that_once) {
     controller c = with_boards({0x11});
     const octets known = with_crc({5, 0x12, 0x11, 0x04, 0x01}), unknown = with_crc({5, 0x12, 0x13, 0x04, 0x01});

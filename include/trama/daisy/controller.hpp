@@ -170,7 +170,7 @@ private:
     receiver receiver_;
     request_table<InFlight> requests_;
     orphan_filter<passing> passed_;
-    orphan_filter<passing> alarms_;
+    alarm_memory<std::max<std::size_t>(2 * Boards, 16)> alarms_;  // no family has more than two alarms
     board_list<Boards> boards_{};
     std::size_t expected_ = 0;
     link_quality line_{};

@@ -30,7 +30,7 @@ struct controller_event {
     address peer{};                ///< Who it is about: the sender, or the addressee of a request without reply.
     std::uint8_t command = 0;      ///< Of the request that it is about, where there is one.
     unsigned attempt = 0;          ///< How often that request has been sent.
-    bool again = false;            ///< Of alarm: the same one came within the time of all attempts; its first reply seems to be lost.
+    bool again = false;            ///< Of alarm: the board's latest by this command was the same, within the time of all attempts; its reply seems to be lost.
     errc code = errc::ok;          ///< Of fault.
     std::uint64_t skipped = 0;     ///< Of fault: bytes without use.
     std::size_t written = 0;       ///< Bytes in `out` to be sent to the next member.
@@ -93,6 +93,42 @@ public:
 private:
     std::array<board_info, Size> boards_{};
     std::size_t count_ = 0;
+};
+
+/// The latest alarm of each board by each command. A board sends a new one only when the one before is confirmed or
+/// lost, so that a repeated one is always the latest; the same one after another is new, such as a switch's second edge.
+template <std::size_t Size>
+class alarm_memory {
+public:
+    constexpr explicit alarm_memory(std::uint64_t period) noexcept : period_(period) {}
+
+    /// True when `p` is the latest one, and that came first within the period. Else it is the latest from now on.
+    constexpr bool repeated(const packet& p, std::uint64_t now) noexcept {
+        const entry latest{now, fingerprint(p.bytes()), p.envelope().source, p.command(), true};
+        entry* place = &entries_[0];
+        for (entry& e : entries_) {
+            const bool same = e.used && e.source == latest.source && e.command == latest.command;
+            if (same && e.print == latest.print && elapsed(e.time, now) <= period_) return true;
+            if (same) {
+                place = &e;
+                break;
+            }
+            if (!e.used || (place->used && e.time < place->time)) place = &e;
+        }
+        *place = latest;
+        return false;
+    }
+
+private:
+    struct entry {
+        std::uint64_t time = 0;
+        std::uint32_t print = 0;
+        address source{};
+        std::uint8_t command = 0;
+        bool used = false;
+    };
+    std::uint64_t period_;
+    std::array<entry, Size> entries_{};
 };
 
 /// Whether `M` is what a board reports unasked. [daisy §6.10, §6.11, §7.13, §8.8, §9.4, §9.6, §10.2]

@@ -37,7 +37,7 @@ constexpr void controller<InFlight, Boards>::asked(const packet& p, std::uint64_
         }
     });
     if (!sent) out.put({e.peer, self_}, common::error{unknown_command_code, {}, 0});
-    if (e.news == controller_news::alarm) e.again = alarms_.judge(p.bytes(), now) == orphan_filter<passing>::verdict::repeated;
+    if (e.news == controller_news::alarm) e.again = alarms_.repeated(p, now);
 }
 
 /// A packet of the controller's own has gone round.

@@ -98,6 +98,13 @@ private:
     decoder decoder_{};
 };
 
+/// 32 bits by which packets are told apart: FNV-1a.
+constexpr std::uint32_t fingerprint(std::span<const std::uint8_t> packet) noexcept {
+    std::uint32_t print = 2166136261U;
+    for (const std::uint8_t b : packet) print = (print ^ b) * 16777619U;
+    return print;
+}
+
 /// Remembers the packets that passed by of late, as 32-bit fingerprints, to tell those that go round and round: a
 /// packet whose source is not on the ring is taken off by nobody, and no byte of it counts its rounds.
 template <std::size_t Size>
@@ -112,8 +119,7 @@ public:
         full,      ///< Not seen, but the oldest of the others had to be forgotten before its time.
     };
     constexpr verdict judge(std::span<const std::uint8_t> packet, std::uint64_t now) noexcept {
-        std::uint32_t print = 2166136261U;  // FNV-1a
-        for (const std::uint8_t b : packet) print = (print ^ b) * 16777619U;
+        const std::uint32_t print = fingerprint(packet);
         entry* oldest = &entries_[0];
         for (entry& e : entries_) {
             if (is_recent(e, now) && e.print == print) return verdict::repeated;
