@@ -150,6 +150,27 @@ TEST(daisy_controller, waits_for_a_late_reply_to_what_was_sent_but_once) {
     EXPECT_FALSE(ask(c, daisy::board(1, 1), daisy::dc_motor::set_encoder{9}, 404).empty()) << "answered: nothing more can come";
 }
 
+TEST(daisy_controller, sends_a_request_no_more_often_than_that_request_allows) {
+    controller c = with_boards({0x11});
+    octets out(daisy::max_packet);
+    const auto send = [&](auto m, std::uint64_t now, unsigned attempts) { return static_cast<bool>(c.request(daisy::board(1, 1), m, now, out, attempts)); };
+    ASSERT_TRUE(send(daisy::dc_motor::set_encoder_to_stop{100}, 0, 1));
+    const octets sent = with_crc({6, 0x11, 0x00, 0x45, 100, 0});
+    octets error{13, 0x00, 0x12, 0x04, 0x00};  // board 1:2 received it with a wrong CRC
+    error.insert(error.end(), sent.begin(), sent.end());
+    error[11] ^= 1;
+    error.push_back(sent.back());
+    EXPECT_EQ(tell(c, with_crc(error), 10).event.news, controller_news::told) << "not even then";
+    EXPECT_EQ(tell(c, {}, 201).event.news, controller_news::failed);
+
+    ASSERT_TRUE(send(daisy::dc_motor::get_encoder_to_stop{}, 1000, 2));
+    EXPECT_EQ(tell(c, {}, 1201).event.news, controller_news::sent_again);
+    EXPECT_EQ(tell(c, {}, 1402).event.news, controller_news::failed);
+    ASSERT_TRUE(send(daisy::dc_motor::get_encoder_to_stop{}, 2000, 6)) << "more than timing::attempts";
+    for (std::uint64_t now = 2201; now != 3206; now += 201) EXPECT_EQ(tell(c, {}, now).event.news, controller_news::sent_again);
+    EXPECT_EQ(tell(c, {}, 3206).event.news, controller_news::failed);
+}
+
 TEST(daisy_controller, waits_for_a_late_reply_where_a_refusal_may_have_been_about_another_request) {
     controller c = with_boards({0x11});
     ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 0);

@@ -20,15 +20,16 @@ public:
 
     /// Sends `m` to a board or, by id 15, to a group or everyone: the bytes in `out`. `buffer_too_small` also when there
     /// is no place for it yet: all `InFlight` places are taken by requests that wait or settle, to whatever board, or one
-    /// of them has the same command and a board in common with `to`.
+    /// of them has the same command and a board in common with `to`. It is sent at most `attempts` times in all, 0: as
+    /// `timing` says; 1 for what must not be carried out twice.
     template <request_message M>
-    constexpr result<std::size_t> request(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
+    constexpr result<std::size_t> request(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out, unsigned attempts = 0) noexcept {
         static_assert(min_packet + M::layout.max_size <= max_request);
         request_in_flight* place = requests_.place_for(to, command_of(M::key), now);
         if (place == nullptr) return errc::buffer_too_small;
         const auto size = format::encode({to, self_}, m, out);
         if (size) {
-            requests_.add(*place, out.first(*size), now);
+            requests_.add(*place, out.first(*size), now, attempts);
             count_sent(to, *size);
         }
         return size;

@@ -35,6 +35,7 @@ struct request_in_flight {
     state now = state::free;
     std::uint8_t size = 0;
     unsigned attempts = 0;       ///< How often it was sent.
+    unsigned allowed = 0;        ///< How often it may be sent in all.
     std::uint64_t first = 0;     ///< When it was sent first.
     std::uint64_t latest = 0;    ///< When it was sent last, or settled.
     std::uint64_t answered = 0;  ///< Of a broadcast: bit n, the n-th board has answered.
@@ -74,9 +75,10 @@ public:
         }
         return place;
     }
-    /// Notes `packet`, at most `max_request` bytes, as sent, in a `place_for` it.
-    static constexpr void add(request_in_flight& place, std::span<const std::uint8_t> packet, std::uint64_t now) noexcept {
-        place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, now, now, 0, {}};
+    /// Notes `packet`, at most `max_request` bytes, as sent, in a `place_for` it. `attempts` 0: as many as `timing` says.
+    constexpr void add(request_in_flight& place, std::span<const std::uint8_t> packet, std::uint64_t now, unsigned attempts) const noexcept {
+        const unsigned allowed = attempts != 0 ? attempts : timing_.attempts;
+        place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, allowed, now, now, 0, {}};
         copy_bytes(place.octets.data(), packet.data(), packet.size());
     }
 
@@ -124,7 +126,7 @@ public:
         return found;
     }
 
-    constexpr bool may_repeat(const request_in_flight& r) const noexcept { return r.attempts < timing_.attempts; }
+    static constexpr bool may_repeat(const request_in_flight& r) noexcept { return r.attempts < r.allowed; }
     /// It was sent once more.
     static constexpr void repeated(request_in_flight& r, std::uint64_t now) noexcept {
         ++r.attempts;

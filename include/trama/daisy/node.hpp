@@ -32,7 +32,7 @@ public:
         if (place == nullptr) return errc::buffer_too_small;
         const auto size = format::encode({to, self_}, m, out);
         if (size) {
-            alarms_.add(*place, out.first(*size), now);
+            alarms_.add(*place, out.first(*size), now, 0);
             line_.sent(*size);
         }
         return size;
