@@ -220,6 +220,29 @@ TEST(daisy_controller, lists_the_boards_that_answered) {
     EXPECT_EQ(found, (std::vector<unsigned>{0x11, 0x12}));
 }
 
+TEST(daisy_controller, takes_no_new_board_for_a_forgotten_one_that_has_answered) {
+    controller c = with_boards({});
+    octets out(daisy::max_packet);
+    const auto answer = [&](std::uint8_t from) { return tell(c, with_crc({5, 0x00, from, 0x81, 'b'}), 1).event.news; };
+    const auto home = [&] { return tell(c, with_crc({4, 0xFF, 0x00, 0x01}), 2).event.news; };
+    ASSERT_TRUE(c.initialise(0, out, 1));
+    EXPECT_EQ(answer(0x11), controller_news::board);
+    c.forget_boards();
+    EXPECT_EQ(home(), controller_news::removed) << "nobody is in the list";
+    EXPECT_EQ(answer(0x12), controller_news::board);
+    EXPECT_EQ(answer(0x12), controller_news::told) << "its second reply";
+    EXPECT_EQ(home(), controller_news::complete);
+}
+
+TEST(daisy_controller, expects_as_many_boards_as_the_call_that_was_sent) {
+    controller c = with_boards({});
+    octets out(daisy::max_packet);
+    ASSERT_TRUE(c.initialise(0, out, 2));
+    EXPECT_FALSE(c.initialise(1, out, 0)) << "one is under way";
+    EXPECT_EQ(tell(c, with_crc({5, 0x00, 0x11, 0x81, 'b'}), 1).event.news, controller_news::board);
+    EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x00, 0x01}), 2).event.news, controller_news::removed) << "one board is missing";
+}
+
 TEST(daisy_controller, acknowledges_alarms_and_refuses_other_requests) {
     controller c = with_boards({0x62, 0x11});
     const octets alarm{0x06, 0x00, 0x62, 0x45, 0x6B, 0x03, 0x49};  // the document's example 2

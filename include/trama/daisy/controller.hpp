@@ -37,8 +37,9 @@ public:
     /// Calls everyone: each board that answers joins the list. `complete` when the call has gone round and the list holds
     /// at least `expected` boards; until then it is repeated. [daisy §3.1]
     constexpr result<std::size_t> initialise(std::uint64_t now, std::span<std::uint8_t> out, std::size_t expected = 0) noexcept {
-        expected_ = expected;
-        return request(everyone, common::init{}, now, out);
+        const auto size = request(everyone, common::init{}, now, out);
+        if (size) expected_ = expected;
+        return size;
     }
 
     /// Takes bytes from the front of `in`, deals with at most one packet and writes what is to be sent to `out`.
@@ -61,8 +62,11 @@ public:
     }
 
     constexpr const board_list<Boards>& boards() const noexcept { return boards_; }
-    /// Forgets the boards, as before a new `initialise` on a ring that has changed.
-    constexpr void forget_boards() noexcept { boards_.clear(); }
+    /// Forgets the boards, as before a new `initialise` on a ring that has changed, and who has answered what is under way.
+    constexpr void forget_boards() noexcept {
+        boards_.clear();
+        requests_.forget_answers();
+    }
     /// Requests that wait for a reply.
     constexpr std::size_t in_flight() const noexcept { return requests_.waiting(); }
     /// Of the line as a whole; each board has its own in the list.

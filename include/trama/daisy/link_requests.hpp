@@ -142,6 +142,10 @@ public:
         r.now = request_in_flight::state::settling;
         r.latest = now;
     }
+    /// The list of boards that `answered` refers to is a new one.
+    constexpr void forget_answers() noexcept {
+        for (request_in_flight& r : requests_) r.answered = 0;
+    }
     /// Requests that wait for a reply.
     constexpr std::size_t waiting() const noexcept {
         std::size_t n = 0;
