@@ -1,6 +1,7 @@
 // daisy::node alone: what each kind of packet makes it send. Packets are written out by hand.
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "trama/daisy/node.hpp"
@@ -24,6 +25,11 @@ struct motor {
         ++executed;
         return daisy::answer::done;
     }
+    daisy::answer operator()(const daisy::dc_motor::motor_consumption&, daisy::dc_motor::motor_consumption_reply& reply) {
+        ++executed;
+        reply.consumption = 300;
+        return daisy::answer::done;
+    }
     daisy::answer operator()(const daisy::dc_motor::dont_stop&, daisy::dc_motor::dont_stop_reply&) { return static_cast<daisy::answer>(9); }
 };
 using board = daisy::node<2, 8>;
@@ -42,6 +48,13 @@ heard tell(board& n, motor& m, std::span<const std::uint8_t> in, std::uint64_t n
     EXPECT_TRUE(in.empty());
     out.resize(e.written);
     return {e, out};
+}
+/// Board 1:2 received `rejected` with a wrong CRC.
+octets error_about(const octets& rejected) {
+    octets error{static_cast<std::uint8_t>(6 + rejected.size()), 0x11, 0x12, 0x04, 0x00};
+    error.insert(error.end(), rejected.begin(), rejected.end());
+    error.push_back(daisy::checksum(std::span(rejected).first(rejected.size() - 1)));
+    return with_crc(error);
 }
 const octets get_encoder = with_crc({4, 0x11, 0x00, 0x43});
 const octets encoder_reply = with_crc({8, 0x00, 0x11, 0xC3, 0x56, 0x34, 0x12, 0x00});
@@ -179,10 +192,7 @@ TEST_F(daisy_node, sends_its_last_reply_again_when_that_was_damaged) {
     settle();
     octets rejected = encoder_reply;
     rejected[5] ^= 0x10;
-    octets error{static_cast<std::uint8_t>(6 + rejected.size()), 0x11, 0x12, 0x04, 0x00};
-    error.insert(error.end(), rejected.begin(), rejected.end());
-    error.push_back(daisy::checksum(std::span(rejected).first(rejected.size() - 1)));
-    error = with_crc(error);
+    const octets error = error_about(rejected);
     for (int i = 1; i != 4; ++i) {
         const auto [event, sent] = tell(n, m, error);
         EXPECT_EQ(event.news, node_news::sent_again);
@@ -191,6 +201,22 @@ TEST_F(daisy_node, sends_its_last_reply_again_when_that_was_damaged) {
     EXPECT_TRUE(tell(n, m, error).sent.empty()) << "more often than the attempts allow";
     EXPECT_EQ(m.executed, 1) << "carried out once";
     EXPECT_EQ(n.quality().rejections, 4U);
+}
+
+TEST_F(daisy_node, sends_again_whichever_is_closer_to_what_was_damaged_its_reply_or_its_alarm) {
+    octets alarm(board::max_output);
+    alarm.resize(n.send(daisy::board(0, 0), daisy::dc_motor::motor_stress_alarm{300}, 0, alarm).value_or(0));
+    const octets reply = tell(n, m, with_crc({4, 0x11, 0x00, 0x48})).sent;
+    ASSERT_EQ(alarm, with_crc({6, 0x00, 0x11, 0x49, 0x2C, 0x01}));
+    ASSERT_EQ(reply, with_crc({6, 0x00, 0x11, 0xC8, 0x2C, 0x01}));
+    octets damaged_reply = reply, damaged_alarm = alarm;
+    damaged_reply[5] ^= 0x80;
+    damaged_alarm[5] ^= 0x80;
+    EXPECT_EQ(tell(n, m, error_about(damaged_reply)).sent, reply);
+    EXPECT_EQ(tell(n, m, error_about(damaged_alarm)).sent, alarm);
+    for (int i = 3; i <= 4; ++i) EXPECT_EQ(tell(n, m, error_about(damaged_reply)).sent, reply);
+    EXPECT_TRUE(tell(n, m, error_about(damaged_reply)).sent.empty()) << "the alarm was not damaged";
+    EXPECT_EQ(m.executed, 1);
 }
 
 TEST_F(daisy_node, repeats_an_alarm_until_it_is_confirmed_or_the_attempts_are_used_up) {
@@ -288,6 +314,18 @@ TEST(daisy_node_limits, consumes_nothing_without_room_for_what_it_may_have_to_se
     EXPECT_EQ(in.size(), get_encoder.size());
     EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x02})).sent, with_crc({12, 0x00, 0x11, 0x82, 'a', ' ', 'd', 'e', 's', 'c', 'r', 'i'}));
     EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0x03})).sent, with_crc({4, 0x00, 0x11, 0x83}));
+}
+
+TEST(daisy_node_limits, answers_by_the_longest_description_that_a_packet_holds) {
+    const std::string text(300, 'x');
+    daisy::node<2, 251> n(daisy::board(1, 1), text);
+    motor m;
+    const octets call = with_crc({4, 0x11, 0x00, 0x01});
+    std::span<const std::uint8_t> in(call);
+    octets out(n.max_output);
+    const auto e = n.next(in, 0, out, m);
+    EXPECT_EQ(e.news, node_news::executed);
+    EXPECT_EQ(e.written, daisy::max_packet);
 }
 
 TEST(daisy_replies, are_found_for_every_request_of_the_document) {

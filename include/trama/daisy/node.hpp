@@ -131,15 +131,13 @@ private:
         if (!told || told->code != bad_crc_code) return;
         ++line_.rejections;
         const std::span<const std::uint8_t> reply(reply_.data(), reply_size_), rejected = told->rejected.bytes();
-        if (request_in_flight* alarm = alarms_.nearest(rejected); alarm != nullptr && alarms_.may_repeat(*alarm)) {
-            out.copy(alarm->packet());
-            alarms_.repeated(*alarm, now);
-        } else if (resembles(reply, rejected) && reply_attempts_ < timing_.attempts) {
-            out.copy(reply);
-            ++reply_attempts_;
-        } else {
-            return;
-        }
+        request_in_flight* alarm = alarms_.nearest(rejected);
+        // If both are as close, the reply: an alarm is repeated anyway, but without a reply the request is carried out twice.
+        const bool replied = resembles(reply, rejected) && (alarm == nullptr || differing(reply, rejected) <= differing(alarm->packet(), rejected));
+        if (replied ? reply_attempts_ >= timing_.attempts : alarm == nullptr || !alarms_.may_repeat(*alarm)) return;
+        out.copy(replied ? reply : alarm->packet());
+        if (replied) ++reply_attempts_;
+        else alarms_.repeated(*alarm, now);
         ++line_.retries;
         e.news = node_news::sent_again;
     }
