@@ -11,10 +11,13 @@ namespace trama::daisy {
 ///
 /// Packets that nobody takes off: the controller removes them (see there). On a ring without one, or for a second
 /// guard, `timing::orphan` makes the node remove any packet that it has passed on within that time. It has to be longer
-/// than a round and shorter than the time after which anybody sends the same bytes anew, time-outs included.
+/// than a round and shorter than the time after which anybody sends the same bytes anew, time-outs included. What is
+/// sent again at once after an `error` 0 is removed as well; the time-out makes up for it.
 template <std::size_t Alarms = 2, std::size_t Description = 64>
 class node {
 public:
+    static_assert(Description <= max_packet - min_packet, "no reply could hold it");
+
     static constexpr std::size_t max_output = 2 * max_packet;  ///< A reply, and a broadcast passed on.
 
     /// `self` is the board's address, id 0..14. `description` answers `init` and `reset`; what is longer than
