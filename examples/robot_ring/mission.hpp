@@ -22,7 +22,9 @@ public:
         bool complete = false;
         while (!complete && !over()) {
             octets out(daisy::max_packet);
-            if (const auto size = controller_.initialise(now(), out, expected)) line_.send(std::span(out).first(*size));
+            const auto size = controller_.initialise(now(), out, expected);
+            if (!size) { work([](const auto&) {}); continue; }  // the call before it is settling
+            line_.send(std::span(out).first(*size));
             bool failed = false;
             while (!complete && !failed && !over())
                 work([&](const daisy::controller_event& e) {

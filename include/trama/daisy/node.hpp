@@ -21,7 +21,7 @@ public:
     static constexpr std::size_t max_output = 2 * max_packet;  ///< A reply, and a broadcast passed on.
 
     /// `self` is the board's address, id 0..14. `description` answers `init` and `reset`; what is longer than
-    /// `Description` is cut.
+    /// `Description`, at most 251, is cut.
     constexpr node(address self, std::string_view description, const timing& t = {}) noexcept
         : self_(self), timing_(t), receiver_(t.idle), alarms_(t), passed_(t.orphan) {
         for (; text_size_ != description.size() && text_size_ != Description; ++text_size_) text_[text_size_] = static_cast<std::uint8_t>(description[text_size_]);
