@@ -430,6 +430,55 @@ TEST(gateway_client, puts_orders_in_doubt_when_the_connection_is_lost) {
     EXPECT_EQ(c.next_id(), 2U) << "numbers begin anew";
 }
 
+TEST(gateway_client, puts_no_order_in_doubt_that_the_next_connection_carries) {
+    gateway::client<4> c(1000);
+    octets out(gateway::max_record);
+    c.disconnected();
+    ASSERT_TRUE(c.send(gateway::idle_processing{}, 5, out));
+    std::span<const std::uint8_t> none{};
+    EXPECT_EQ(c.next(none, 6).news, client_news::need_more);
+    const octets reply = record(gateway::ack{0, 0, gateway::order_type::idle_processing, 0});
+    std::span<const std::uint8_t> in(reply);
+    EXPECT_EQ(c.next(in, 7).news, client_news::accepted);
+
+    // One order before the loss, a second one over the next connection, before the first is reported.
+    ASSERT_TRUE(c.send(load_for(1), 10, out));
+    c.disconnected();
+    ASSERT_TRUE(c.send(load_for(2), 11, out));
+    const auto lost = c.next(none, 2000);
+    EXPECT_EQ(lost.news, client_news::in_doubt);
+    EXPECT_EQ(lost.order.cart_id, 1U);
+    const octets late = record(gateway::transit_ack{0, 2, gateway::order_type::load, 2, "T2"});
+    in = late;
+    EXPECT_EQ(c.next(in, 2000).news, client_news::accepted) << "its reply was there before it was late";
+    EXPECT_EQ(c.quality().failures, 1U);
+
+    // That one is lost as well when the next connection is.
+    ASSERT_TRUE(c.send(load_for(3), 2001, out));
+    c.disconnected();
+    EXPECT_EQ(c.next(none, 2002).order.cart_id, 3U);
+    EXPECT_EQ(c.next(none, 2002).news, client_news::need_more);
+}
+
+TEST(gateway_client, comes_to_an_end_when_each_order_in_doubt_is_sent_again) {
+    gateway::client<4> c(1000);
+    octets out(gateway::max_record);
+    ASSERT_TRUE(c.send(gateway::cross_granted{0, 1, 7}, 0, out));
+    ASSERT_TRUE(c.send(gateway::cross_granted{0, 2, 7}, 0, out));
+    c.disconnected();
+    int doubtful = 0;
+    std::span<const std::uint8_t> none{};
+    for (auto e = c.next(none, 1); e.news != client_news::need_more && doubtful != 10; e = c.next(none, 1)) {
+        EXPECT_EQ(e.news, client_news::in_doubt);
+        ++doubtful;
+        ASSERT_TRUE(c.send(gateway::cross_granted{0, e.order.cart_id, 7}, 1, out));
+    }
+    EXPECT_EQ(doubtful, 2);
+    EXPECT_EQ(c.in_flight(), 2U);
+    EXPECT_EQ(c.next_id(), 4U);
+    EXPECT_EQ(c.next(none, 1002).news, client_news::timed_out) << "sent again, and again without a reply";
+}
+
 // Law: with a connection that breaks at random places, over and over, every order is carried out exactly once, since
 // the cart's state tells what became of those in doubt.
 TEST(gateway_systems, every_order_is_carried_out_exactly_once_over_a_line_that_breaks) {

@@ -26,6 +26,7 @@ struct order_in_flight {
     std::uint32_t msg_id = 0;            ///< 0..99999.
     std::uint32_t cart_id = 0;           ///< 0 of idle_processing.
     std::uint64_t sent = 0;              ///< When, in the caller's unit of time.
+    bool lost = false;                   ///< The connection that carried it is gone.
     friend constexpr bool operator==(const order_in_flight&, const order_in_flight&) = default;
 };
 
@@ -59,17 +60,19 @@ public:
         order.msg_id = ids_.peek();
         const result<std::size_t> size = encode(order, out);
         if (!size) return size;
-        *place = {M::key, order.msg_id, 0, now};
+        *place = {M::key, order.msg_id, 0, now, false};
         if constexpr (requires { order.cart_id; }) place->cart_id = order.cart_id;
         ids_.advance();
         quality_.sent(*size);
         return size;
     }
 
-    /// The connection is gone: `next` reports a partial record, then every order in flight as `in_doubt`. Give it no more
-    /// bytes of that connection: it would take a state from before the loss for one that the next connection brought.
+    /// The connection is gone: `next` reports a partial record, then every order in flight now as `in_doubt`; orders sent
+    /// from here on belong to the next connection. Give `next` no more bytes of the old one: it would take a state from
+    /// before the loss for one that the next connection brought.
     constexpr void disconnected() noexcept {
         decoder_.finish();
+        for (order_in_flight& o : orders_) o.lost = o.type != order_type::none;
         lost_ = true;
     }
     /// Takes bytes from the front of `in` and reports one thing that happened, `need_more` when there is nothing left.
@@ -101,14 +104,15 @@ private:
             if (o.type == type && (type == order_type::none || o.msg_id == msg_id)) return &o;
         return nullptr;
     }
-    /// An order that will get no reply.
+    /// An order that will get no reply, the oldest first. After a loss those of the lost connection only: the bytes at
+    /// hand, which are read after that, may hold the others' replies.
     constexpr client_event give_up(std::uint64_t now) noexcept {
         order_in_flight* oldest = nullptr;
-        for (order_in_flight& o : orders_)
-            if (o.type != order_type::none && (oldest == nullptr || o.sent < oldest->sent)) oldest = &o;
+        for (order_in_flight& o : orders_) {
+            const bool late = o.type != order_type::none && now > o.sent && now - o.sent > timeout_;
+            if ((lost_ ? o.lost : late) && (oldest == nullptr || o.sent < oldest->sent)) oldest = &o;
+        }
         if (oldest == nullptr) return {};
-        const bool late = now > oldest->sent && now - oldest->sent > timeout_;
-        if (!lost_ && !late) return {};
         client_event e{};
         e.news = lost_ ? client_news::in_doubt : client_news::timed_out;
         e.order = *oldest;
@@ -157,7 +161,7 @@ private:
 
     std::uint64_t timeout_;
     message_ids ids_;
-    bool lost_ = false;  ///< The connection is gone and not all of it is reported.
+    bool lost_ = false;  ///< A connection is gone, and not all of what it left is reported.
     decoder decoder_{};
     std::array<order_in_flight, InFlight> orders_{};
     link_quality quality_;
