@@ -330,6 +330,56 @@ TEST(gateway_client, matches_replies_by_type_and_number) {
     EXPECT_EQ(told(gateway::nack{0, 1, gateway::order_type::cancel_transits, 0, "no"}, 33).news, client_news::stray) << "twice";
 }
 
+TEST(gateway_client, takes_no_reply_that_names_another_cart) {
+    gateway::client<4> c(1000);
+    octets out(gateway::max_record);
+    const auto told = [&](const auto& m) {
+        const octets b = record(m);
+        std::span<const std::uint8_t> in(b);
+        return c.next(in, 1).news;
+    };
+    ASSERT_TRUE(c.send(load_for(1), 0, out));
+    ASSERT_TRUE(c.send(gateway::cancel_transits{0, 1}, 0, out));
+    ASSERT_TRUE(c.send(gateway::cross_granted{0, 0, 4}, 0, out));
+    ASSERT_TRUE(c.send(gateway::idle_processing{}, 0, out));
+    EXPECT_EQ(told(gateway::transit_ack{0, 2, gateway::order_type::load, 0, "T2"}), client_news::stray);
+    EXPECT_EQ(told(gateway::nack{0, 2, gateway::order_type::load, 0, "no"}), client_news::stray);
+    EXPECT_EQ(told(gateway::ack{0, 2, gateway::order_type::cancel_transits, 1}), client_news::stray);
+    EXPECT_EQ(told(gateway::ack{0, 2, gateway::order_type::cross_granted, 2}), client_news::stray) << "cart 0 is a cart too";
+    EXPECT_EQ(c.in_flight(), 4U);
+    EXPECT_EQ(told(gateway::nack{0, 0, gateway::order_type::load, 0, "no"}), client_news::refused) << "it names no cart";
+    EXPECT_EQ(told(gateway::ack{0, 1, gateway::order_type::cancel_transits, 1}), client_news::accepted);
+    EXPECT_EQ(told(gateway::ack{0, 0, gateway::order_type::cross_granted, 2}), client_news::accepted);
+    EXPECT_EQ(told(gateway::ack{0, 7, gateway::order_type::idle_processing, 3}), client_news::accepted) << "an order for no cart in particular";
+}
+
+TEST(gateway_client, gives_no_order_a_number_that_is_in_flight) {
+    gateway::client<4> c(~std::uint64_t{0}, 99998);
+    octets out(gateway::max_record);
+    ASSERT_TRUE(c.send(load_for(1), 0, out));
+    ASSERT_TRUE(c.send(load_for(2), 0, out));
+    const auto done = [&](std::uint32_t id) {
+        const octets b = record(gateway::ack{0, 0, gateway::order_type::idle_processing, id});
+        std::span<const std::uint8_t> in(b);
+        return c.next(in, 2).news == client_news::accepted;
+    };
+    for (std::uint32_t id = 0; id != 99998; ++id) {
+        ASSERT_EQ(c.next_id(), id);
+        ASSERT_TRUE(c.send(gateway::idle_processing{}, 1, out));
+        ASSERT_TRUE(done(id));
+    }
+    EXPECT_EQ(c.next_id(), 0U) << "99998 and 99999 wait";
+    auto high = load_for(3);
+    high.level = 16;
+    EXPECT_FALSE(c.send(high, 3, out));
+    ASSERT_TRUE(c.send(load_for(3), 3, out));
+    EXPECT_EQ(c.next_id(), 1U);
+    const octets reply = record(gateway::transit_ack{0, 3, gateway::order_type::load, 0, "T3"});
+    std::span<const std::uint8_t> in(reply);
+    EXPECT_EQ(c.next(in, 4).order.cart_id, 3U);
+    EXPECT_EQ(c.in_flight(), 2U);
+}
+
 TEST(gateway_client, hands_on_what_it_does_not_know_and_tells_what_is_broken) {
     gateway::client<4> c(1000);
     const auto told = [&](const octets& bytes) {

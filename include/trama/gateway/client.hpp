@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "trama/core/link_quality.hpp"
 #include "trama/gateway/format.hpp"
 #include "trama/gateway/message_ids.hpp"
@@ -39,12 +41,14 @@ struct client_event {
     std::uint64_t skipped = 0;   ///< Of fault: bytes without use.
 };
 
-/// The client's side: numbers orders, matches replies by src_type and src_msg_id, tells which orders got none.
+/// The client's side: numbers orders, matches replies by src_type, src_msg_id and cart_id, tells which orders got none.
 ///
 /// An order without a reply is never repeated by itself, since it may have been carried out. The cart's next
 /// cart_state tells: `find_cargo`. [gateway, "El servicio"]
 template <std::size_t InFlight = 16>
 class client {
+    static_assert(InFlight < message_ids::count, "each order in flight has a number of its own");
+
 public:
     /// `timeout` in the unit of all times given later; `first_id` is the first order's number, 0..99999.
     constexpr explicit client(std::uint64_t timeout, std::uint32_t first_id = 0, std::uint64_t rate_window = 1000) noexcept
@@ -57,12 +61,14 @@ public:
     constexpr result<std::size_t> send(M order, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
         order_in_flight* place = slot_of(order_type::none, 0);
         if (place == nullptr) return errc::buffer_too_small;
-        order.msg_id = ids_.peek();
+        message_ids ids = unused_ids();
+        order.msg_id = ids.peek();
         const result<std::size_t> size = encode(order, out);
         if (!size) return size;
         *place = {M::key, order.msg_id, 0, now, false};
         if constexpr (requires { order.cart_id; }) place->cart_id = order.cart_id;
-        ids_.advance();
+        ids.advance();
+        ids_ = ids;
         quality_.sent(*size);
         return size;
     }
@@ -94,11 +100,17 @@ public:
         for (const order_in_flight& o : orders_) n += o.type != order_type::none ? 1U : 0U;
         return n;
     }
-    /// The number that the next order gets.
-    constexpr std::uint32_t next_id() const noexcept { return ids_.peek(); }
+    /// The number that the next order gets: the one behind the last order's that is not in flight.
+    constexpr std::uint32_t next_id() const noexcept { return unused_ids().peek(); }
     constexpr const link_quality& quality() const noexcept { return quality_; }
 
 private:
+    constexpr message_ids unused_ids() const noexcept {
+        message_ids ids = ids_;
+        const auto waits = [&](const order_in_flight& o) { return o.type != order_type::none && o.msg_id == ids.peek(); };
+        while (std::any_of(orders_.begin(), orders_.end(), waits)) ids.advance();
+        return ids;
+    }
     constexpr order_in_flight* slot_of(order_type type, std::uint32_t msg_id) noexcept {
         for (order_in_flight& o : orders_)
             if (o.type == type && (type == order_type::none || o.msg_id == msg_id)) return &o;
@@ -150,6 +162,8 @@ private:
             const bool refusal = M::key == order_type::nack;
             out.news = client_news::stray;
             if (o == nullptr || (!refusal && makes_transit(o->type) != (M::key == order_type::transit_ack))) return;
+            // cart_id 0 names no cart, and idle_processing was for none. [D18]
+            if (m.cart_id != 0 && m.cart_id != o->cart_id && o->type != order_type::idle_processing) return;
             out.news = refusal ? client_news::refused : client_news::accepted;
             out.order = *o;
             quality_.round_trip.add(now > o->sent ? now - o->sent : 0);
