@@ -171,6 +171,21 @@ TEST(gateway_server, says_why_it_refuses) {
     EXPECT_EQ(words(only<gateway::nack>(ask(s, record(gateway::idle_processing{}), veto).reply)), "not today");
 }
 
+TEST(gateway_server, refuses_in_words_that_no_record_can_carry_all_the_same) {
+    auto s = server_with_cart_1();
+    const auto told = [&](std::string_view why) {
+        const auto [event, reply] = ask(s, record(load_for(1)), [&](const auto&, const gateway::cart*) { return why; });
+        EXPECT_EQ(event.news, server_news::refused);
+        EXPECT_EQ(event.reason, why);
+        return std::string(words(only<gateway::nack>(reply)));
+    };
+    EXPECT_EQ(told("estaci\xc3\xb3n ocupada"), "estaci??n ocupada");
+    EXPECT_EQ(told("a\x02" "b\x03" "c\x7f\n~"), "a?b?c??~");
+    EXPECT_EQ(told(std::string_view("\0busy", 5)), "?busy");
+    EXPECT_EQ(told(std::string(90, 'x') + "\n"), std::string(80, 'x'));
+    EXPECT_EQ(s.carts().find(1)->slots.find(gateway::order_use::current), nullptr);
+}
+
 TEST(gateway_server, answers_an_order_with_a_broken_field_as_long_as_its_number_can_be_read) {
     auto s = server_with_cart_1();
     auto m = load_for(1);
@@ -251,6 +266,27 @@ TEST(gateway_server, tells_a_new_client_every_state_and_then_only_changes) {
     EXPECT_EQ(state.cart_phase, gateway::cart_phase::go_load);
     EXPECT_EQ(state.cart_status, gateway::cart_status::busy | gateway::cart_status::ready);
     EXPECT_EQ(s.poll(out), 0U);
+}
+
+TEST(gateway_server, tells_of_the_circuit_however_often_its_carts_change) {
+    server_of_3 s;
+    s.carts().add(1);
+    s.carts().add(2);
+    s.connect();
+    octets out(gateway::max_record);
+    std::map<std::size_t, int> sent;  // by size
+    for (int i = 0; i != 30; ++i) {
+        s.carts()[0].changed = s.carts()[1].changed = true;
+        s.set_circuit({});
+        ++sent[s.poll(out)];
+    }
+    EXPECT_EQ(sent[gateway::max_record], 20);
+    EXPECT_EQ(sent[gateway::format::encoded_size(gateway::circuit_state{})], 10) << "one in three";
+
+    server_of_3 empty;
+    empty.connect();
+    EXPECT_EQ(empty.poll(out), gateway::format::encoded_size(gateway::circuit_state{})) << "a circuit without carts";
+    EXPECT_EQ(empty.poll(out), 0U);
 }
 
 TEST(gateway_server, a_cart_is_busy_until_its_transit_is_done) {

@@ -36,8 +36,8 @@ public:
     constexpr session active() const noexcept { return active_; }
 
     /// Takes bytes of connection `s` from the front of `in`, carries out at most one order and writes its reply to `out`,
-    /// which holds a `max_reply`. `judge(order, cart)` may refuse it by a reason of 1..80 printable characters; `cart` is
-    /// null for idle_processing.
+    /// which holds a `max_reply`. `judge(order, cart)` may refuse it by a reason that is not empty; `cart` is null for
+    /// idle_processing. The nack bears 80 characters of the reason, with `?` for each that is not printable ASCII.
     template <class Judge = accept_all>
     constexpr server_event next(session s, std::span<const std::uint8_t>& in, std::uint64_t now, std::span<std::uint8_t> out, Judge&& judge = {}) noexcept {
         server_event e{};
@@ -58,19 +58,19 @@ public:
     }
     static constexpr std::size_t max_reply = type_size + nack::layout.size + 2;
 
-    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there is none.
+    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there is none. Carts and
+    /// circuit take turns, so that none waits for longer than a round, however often the others change.
     constexpr std::size_t poll(std::span<std::uint8_t> out) noexcept {
         if (active_ == 0 || out.size() < max_record) return 0;
-        for (std::size_t i = 0; i != carts_.size(); ++i) {
-            turn_ = turn_ + 1 < carts_.size() ? turn_ + 1 : 0;
-            cart& c = carts_[turn_];
-            if (!c.changed) continue;
-            c.changed = false;
-            if (const std::size_t n = write(c.report(), out)) return n;
+        for (std::size_t i = 0; i <= carts_.size(); ++i) {
+            const std::size_t at = turn_;
+            turn_ = at < carts_.size() ? at + 1 : 0;
+            bool& changed = at < carts_.size() ? carts_[at].changed : circuit_changed_;
+            if (!changed) continue;
+            changed = false;
+            if (const std::size_t n = at < carts_.size() ? write(carts_[at].report(), out) : write(circuit_, out)) return n;
         }
-        if (!circuit_changed_) return 0;
-        circuit_changed_ = false;
-        return write(circuit_, out);
+        return 0;
     }
 
     constexpr cart_table<Carts>& carts() noexcept { return carts_; }
@@ -121,7 +121,7 @@ private:
         if constexpr (requires { m.cart_id; }) e.cart_id = m.cart_id;
         e.reason = bad ? reason::bad_number : !is_valid(m) ? reason::out_of_range : decide(m, judge, e);
         e.news = e.reason.empty() ? server_news::accepted : server_news::refused;
-        e.written = e.reason.empty() ? confirm<M>(e, out) : write(nack{0, e.cart_id, e.type, e.msg_id, text<80>(e.reason.substr(0, 80))}, out);
+        e.written = e.reason.empty() ? confirm<M>(e, out) : write(nack{0, e.cart_id, e.type, e.msg_id, detail::error_message(e.reason)}, out);
     }
 
     /// 0 where the order has no cart or its number cannot be read.
@@ -178,7 +178,7 @@ private:
     session latest_ = 0;
     message_ids ids_{};
     std::uint32_t transits_ = 1;
-    std::size_t turn_ = 0;
+    std::size_t turn_ = 0;  ///< Whose state `poll` looks at next: the cart of that position, behind the last one the circuit.
     cart_table<Carts> carts_{};
     circuit_state circuit_{};
     bool circuit_changed_ = true;

@@ -20,6 +20,13 @@ inline constexpr std::string_view out_of_range = "a value is out of range";
 
 namespace trama::gateway::detail {
 
+/// What a nack says: the first 80 of `words`, `?` for each that no record can carry, since a refusal must be told.
+constexpr text<80> error_message(std::string_view words) noexcept {
+    text<80> m{};
+    for (std::size_t i = 0; i != words.size() && i != m.columns.size(); ++i) m.columns[i] = words[i] >= 0x20 && words[i] <= 0x7E ? words[i] : '?';
+    return m;
+}
+
 /// The slot content that an order asks for.
 template <class M>
 constexpr transit_order transit_of(const M& m, const text<10>& transit_id) noexcept {
