@@ -1,6 +1,7 @@
 // gateway::client and gateway::server: each alone, and both over a line that breaks.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <random>
 #include <string>
@@ -62,6 +63,13 @@ std::string_view words(const gateway::nack& n) {
     static trama::text<80> kept;
     kept = n.error_message;
     return kept.view();
+}
+template <class M>
+std::string path(trama::field_ref at) {
+    std::array<char, 100> room{};
+    trama::text_sink out(room);
+    trama::print_path<M>(out, at);
+    return std::string(out.view());
 }
 server_of_3 server_with_cart_1() {
     server_of_3 s;
@@ -287,6 +295,57 @@ TEST(gateway_server, tells_of_the_circuit_however_often_its_carts_change) {
     empty.connect();
     EXPECT_EQ(empty.poll(out), gateway::format::encoded_size(gateway::circuit_state{})) << "a circuit without carts";
     EXPECT_EQ(empty.poll(out), 0U);
+}
+
+TEST(gateway_server, sends_no_violation_and_tells_which_state_it_cannot_send) {
+    server_of_3 s;
+    s.carts().add(1);
+    s.carts().add(2);
+    octets out(gateway::max_record);
+    const auto sent = [&] {  // carts by their number, the circuit as 0
+        std::vector<std::uint32_t> all;
+        while (const std::size_t n = s.poll(out)) {
+            const octets one(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(n));
+            all.push_back(n == gateway::max_record ? only<gateway::cart_state>(one).cart_id : 0);
+        }
+        return all;
+    };
+    s.carts()[0].state.rel_position = 250;
+    EXPECT_FALSE(s.unsendable()) << "due to nobody";
+    s.connect();
+    ASSERT_TRUE(s.unsendable());
+    EXPECT_EQ(sent(), (std::vector<std::uint32_t>{2, 0}));
+    const gateway::unsendable_state why = s.unsendable();
+    EXPECT_EQ(why.type, gateway::order_type::cart_state);
+    EXPECT_EQ(why.cart_id, 1U);
+    EXPECT_EQ(why.fault.code, trama::errc::out_of_range);
+    EXPECT_EQ(path<gateway::cart_state>(why.fault.field), "rel_position");
+    EXPECT_EQ(sent(), (std::vector<std::uint32_t>{})) << "still not";
+    s.carts()[0].state.rel_position = 100;  // mended: it is due since before
+    EXPECT_FALSE(s.unsendable());
+    EXPECT_EQ(sent(), (std::vector<std::uint32_t>{1}));
+
+    gateway::circuit_state circuit{};
+    circuit.circuit_voltage = 12000;
+    s.set_circuit(circuit);
+    s.carts()[1].changed = true;
+    EXPECT_EQ(sent(), (std::vector<std::uint32_t>{2}));
+    EXPECT_EQ(s.unsendable().type, gateway::order_type::circuit_state);
+    EXPECT_EQ(s.unsendable().cart_id, 0U);
+    EXPECT_EQ(path<gateway::circuit_state>(s.unsendable().fault.field), "circuit_voltage");
+    circuit.circuit_voltage = 482;
+    circuit.mode = static_cast<gateway::circuit_mode>(9);
+    s.set_circuit(circuit);
+    EXPECT_TRUE(s.unsendable());
+    circuit.mode = gateway::circuit_mode::automatic;
+    s.set_circuit(circuit);
+    EXPECT_EQ(sent(), (std::vector<std::uint32_t>{0}));
+
+    s.carts()[1].state.cart_status = static_cast<gateway::cart_status>(10000);
+    s.carts()[1].changed = true;
+    EXPECT_EQ(s.unsendable().cart_id, 2U);
+    s.disconnect(s.active());
+    EXPECT_FALSE(s.unsendable());
 }
 
 TEST(gateway_server, a_cart_is_busy_until_its_transit_is_done) {

@@ -217,3 +217,13 @@ TEST(order_slots, assigns_only_to_transits_that_are_current_or_next) {
     EXPECT_TRUE(s.assign<&transit_order::cargo_id>("2", "box"));
     EXPECT_EQ(order_slots{}.find(trama::text<10>{}), nullptr) << "an unused slot bears no name";
 }
+
+TEST(order_slots, assigns_nothing_that_a_cart_state_cannot_carry) {
+    order_slots s;
+    s.accept(numbered(1));
+    EXPECT_TRUE(s.assign<&transit_order::outputs>("1", "ten~chars!"));
+    for (const std::string_view bad : {"twelve chars", "v\xc3\xa1lvula", "a\x03", "\x7f", "tab\t"}) {
+        EXPECT_FALSE(s.assign<&transit_order::outputs>("1", bad)) << bad;
+    }
+    EXPECT_EQ(s.find("1")->outputs.view(), "ten~chars!");
+}

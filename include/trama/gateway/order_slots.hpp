@@ -80,11 +80,12 @@ public:
         return given_up;
     }
 
-    /// Sets `inputs`, `outputs`, `last_command` or `cargo_id` of a transit that is current or next.
-    /// False when there is none of that name.
+    /// Sets `inputs`, `outputs`, `last_command` or `cargo_id` of a transit that is current or next. False, and nothing
+    /// changes, when there is none of that name, or when `value` is too long or not printable, which no cart_state could carry.
     template <text<10> transit_order::*Member>
     constexpr bool assign(const text<10>& transit_id, const text<10>& value) noexcept {
         static_assert(Member != &transit_order::transit_id && Member != &transit_order::options, "given once, with the order");
+        if (!value.printable()) return false;
         for (transit_order& s : slots_) {
             const bool alive = s.use == order_use::current || s.use == order_use::next;
             if (!alive || s.transit_id != transit_id) continue;

@@ -59,18 +59,28 @@ public:
     static constexpr std::size_t max_reply = type_size + nack::layout.size + 2;
 
     /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there is none. Carts and
-    /// circuit take turns, so that none waits for longer than a round, however often the others change.
+    /// circuit take turns, so that none waits for longer than a round, however often the others change. A state with a
+    /// value out of range is passed over and stays due: `unsendable`.
     constexpr std::size_t poll(std::span<std::uint8_t> out) noexcept {
         if (active_ == 0 || out.size() < max_record) return 0;
         for (std::size_t i = 0; i <= carts_.size(); ++i) {
             const std::size_t at = turn_;
             turn_ = at < carts_.size() ? at + 1 : 0;
             bool& changed = at < carts_.size() ? carts_[at].changed : circuit_changed_;
-            if (!changed) continue;
+            const std::size_t n = !changed ? 0 : at < carts_.size() ? write(carts_[at].report(), out) : write(circuit_, out);
+            if (n == 0) continue;
             changed = false;
-            if (const std::size_t n = at < carts_.size() ? write(carts_[at].report(), out) : write(circuit_, out)) return n;
+            return n;
         }
         return 0;
+    }
+    /// The first state that `poll` cannot send until the application mends a value; false when there is none.
+    constexpr unsendable_state unsendable() const noexcept {
+        if (active_ == 0) return {};
+        for (std::size_t i = 0; i != carts_.size(); ++i)
+            if (const error fault = carts_[i].changed ? fault_of(carts_[i].report()) : error{}) return {order_type::cart_state, carts_[i].state.cart_id, fault};
+        if (const error fault = circuit_changed_ ? fault_of(circuit_) : error{}) return {order_type::circuit_state, 0, fault};
+        return {};
     }
 
     constexpr cart_table<Carts>& carts() noexcept { return carts_; }
@@ -136,11 +146,11 @@ private:
             cart* c = carts_.find(m.cart_id);
             if (c == nullptr) return reason::unknown_cart;
             if (const std::string_view veto = judge(m, static_cast<const cart*>(c)); !veto.empty()) return veto;
-            const text<10> name = transit_name();
+            const text<10> name = detail::transit_name(transits_);
             const std::string_view refusal = detail::carry_out(m, *c, name);
             if (refusal.empty() && makes_transit(M::key)) {
                 e.transit_id = name;
-                transits_ = transits_ + 1 == most_transits ? 1 : transits_ + 1;
+                transits_ = transits_ + 1 == detail::most_transits ? 1 : transits_ + 1;
             }
             return refusal;
         } else {
@@ -153,25 +163,22 @@ private:
         else return write(ack{0, e.cart_id, e.type, e.msg_id}, out);
     }
 
-    /// The bytes of a message under the next number. Values of the application that the document lacks are sent as
-    /// they are; 0 when the wire cannot carry them.
+    /// Why a state cannot be sent, whatever its number; no code when it can.
+    template <class M>
+    static constexpr error fault_of(M m) noexcept {
+        m.msg_id = 0;
+        return is_valid(m) ? error{} : refusal(m);
+    }
+    /// The bytes of a message under the next number; 0, and nothing is written, when it has a violation.
     template <class M>
     constexpr std::size_t write(M m, std::span<std::uint8_t> out) noexcept {
         m.msg_id = ids_.peek();
-        const std::size_t size = format::encode_unchecked({}, m, out).value_or(0);
+        const std::size_t size = encode(m, out).value_or(0);
         if (size == 0) return 0;
         ids_.advance();
         quality_.sent(size);
         return size;
     }
-    /// Transits are named T and a number of nine digits.
-    constexpr text<10> transit_name() const noexcept {
-        text<10> name("T000000000");
-        std::uint32_t left = transits_;
-        for (std::size_t i = 9; i != 0; --i, left /= 10) name.columns[i] = static_cast<char>('0' + left % 10);
-        return name;
-    }
-    static constexpr std::uint32_t most_transits = 1'000'000'000;
 
     decoder decoder_{};
     session active_ = 0;

@@ -31,6 +31,15 @@ struct server_event {
     std::size_t written = 0;             ///< Bytes of the reply in `out`.
 };
 
+/// A state that is due and that no record can carry, since the application gave it a value out of range.
+struct unsendable_state {
+    order_type type = order_type::none;  ///< cart_state or circuit_state; `none`: all that is due can be sent.
+    std::uint32_t cart_id = 0;           ///< Of a cart_state.
+    error fault{};                       ///< `out_of_range`, with the first field at fault.
+
+    constexpr explicit operator bool() const noexcept { return type != order_type::none; }
+};
+
 /// Lets every order pass that the slots can take.
 struct accept_all {
     constexpr std::string_view operator()(const auto&, const cart*) const noexcept { return {}; }

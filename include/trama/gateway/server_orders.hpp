@@ -27,6 +27,15 @@ constexpr text<80> error_message(std::string_view words) noexcept {
     return m;
 }
 
+inline constexpr std::uint32_t most_transits = 1'000'000'000;
+
+/// Transits are named T and a number of nine digits.
+constexpr text<10> transit_name(std::uint32_t number) noexcept {
+    text<10> name("T000000000");
+    for (std::size_t i = 9; i != 0; --i, number /= 10) name.columns[i] = static_cast<char>('0' + number % 10);
+    return name;
+}
+
 /// The slot content that an order asks for.
 template <class M>
 constexpr transit_order transit_of(const M& m, const text<10>& transit_id) noexcept {
