@@ -127,8 +127,10 @@ TEST(gateway_server, answers_each_kind_of_order_by_the_reply_that_the_document_g
     EXPECT_EQ(s.carts().find(1)->slots.orders()[0].node, 9U);
     gateway::go_parking parking{};
     parking.cart_id = 1;
-    const auto transit = only<gateway::transit_ack>(ask(s, record(parking)).reply);
-    EXPECT_EQ(transit.src_type, gateway::order_type::go_parking);
+    EXPECT_EQ(only<gateway::transit_ack>(ask(s, record(parking)).reply).src_type, gateway::order_type::go_parking);
+    s.carts().find(1)->slots.advance(gateway::transit_phase::transit_done);
+    const auto transit = only<gateway::transit_ack>(ask(s, record(load_for(1))).reply);
+    EXPECT_EQ(transit.src_type, gateway::order_type::load);
 
     const auto acked = [&](auto m) {
         m.msg_id = 5;
@@ -177,6 +179,84 @@ TEST(gateway_server, says_why_it_refuses) {
     EXPECT_EQ(refused(load_for(2)), gateway::reason::not_ready);
     const auto veto = [](const auto&, const gateway::cart*) { return std::string_view{"not today"}; };
     EXPECT_EQ(words(only<gateway::nack>(ask(s, record(gateway::idle_processing{}), veto).reply)), "not today");
+}
+
+TEST(gateway_server, takes_commands_only_for_a_transit_with_a_station_that_is_not_over) {
+    using gateway::order_type, gateway::transit_phase;
+    auto s = server_with_cart_1();
+    auto& slots = s.carts().find(1)->slots;
+    const auto said = [&](const auto& m) {
+        const auto [event, reply] = ask(s, record(m));
+        return event.news == server_news::accepted ? std::string("yes") : std::string(words(only<gateway::nack>(reply)));
+    };
+    const auto all_three_said = [&](const trama::text<10>& transit) {
+        const std::string first = said(gateway::send_command{1, 1, transit, "lift"});
+        EXPECT_EQ(said(gateway::send_inputs{2, 1, transit, "1"}), first);
+        EXPECT_EQ(said(gateway::send_cargo_id{3, 1, transit, "bag"}), first);
+        return first;
+    };
+    const auto given = [&](const auto& m) { return ask(s, record(m)).event.transit_id; };
+    const auto node = given(gateway::go_node{4, 1, 9});
+    const auto parking = given(gateway::go_parking{5, 1, 9});
+    EXPECT_EQ(all_three_said(node), gateway::reason::no_station);
+    EXPECT_EQ(all_three_said(parking), gateway::reason::no_station);
+    ask(s, record(gateway::cancel_transits{6, 1}));
+    for (const auto type : {order_type::load, order_type::transit, order_type::unload}) {
+        ask(s, record(gateway::cancel_transits{6, 1}));
+        const auto running = type == order_type::load ? given(gateway::load{7, 1}) : type == order_type::transit ? given(gateway::transit{7, 1}) : given(gateway::unload{7, 1});
+        const auto waiting = given(load_for(1));
+        EXPECT_EQ(all_three_said(running), "yes");
+        EXPECT_EQ(all_three_said(waiting), "yes");
+        ASSERT_TRUE(slots.advance(transit_phase::transiting));
+        EXPECT_EQ(all_three_said(running), "yes");
+        ASSERT_TRUE(slots.advance(transit_phase::transit_done));
+        EXPECT_EQ(all_three_said(running), gateway::reason::unknown_transit) << "previous";
+        ASSERT_TRUE(slots.advance(transit_phase::transit_done));
+        EXPECT_EQ(all_three_said(waiting), gateway::reason::unknown_transit) << "current, yet done";
+    }
+}
+
+TEST(gateway_server, takes_no_new_transits_while_the_circuits_mode_forbids_them) {
+    using gateway::cart_status, gateway::circuit_mode;
+    auto s = server_with_cart_1();
+    const auto& cart = *s.carts().find(1);
+    octets out(gateway::max_record);
+    const auto status = [&] {  // what the client is told; the circuit's state is left out
+        cart_status told = cart_status::none;
+        while (const std::size_t n = s.poll(out))
+            if (n == gateway::max_record) told = only<gateway::cart_state>(out).cart_status | cart_status::warning;  // as a mark that it came
+        return told;
+    };
+    const auto set = [&](circuit_mode mode) {
+        gateway::circuit_state circuit{};
+        circuit.mode = mode;
+        circuit.target_mode = circuit_mode::automatic;
+        s.set_circuit(circuit);
+    };
+    const auto load = ask(s, record(load_for(1))).event.transit_id;
+    EXPECT_EQ(status(), cart_status::busy | cart_status::ready | cart_status::warning);
+    for (const auto mode : {circuit_mode::semi_automatic, circuit_mode::manual}) {
+        SCOPED_TRACE(trama::name_of(mode));
+        set(mode);
+        EXPECT_EQ(status(), cart_status::busy | cart_status::warning) << "carts are not ready any more, and the client is told";
+        EXPECT_EQ(cart.report().cart_status, cart_status::busy);
+        server_of_3 later;
+        later.set_circuit(s.circuit());
+        EXPECT_EQ(later.carts().add(1)->report().cart_status, cart_status::none) << "a cart that comes later";
+        const auto [event, reply] = ask(s, record(load_for(1)));
+        EXPECT_EQ(event.news, server_news::refused);
+        EXPECT_EQ(words(only<gateway::nack>(reply)), gateway::reason::no_transits);
+        EXPECT_EQ(ask(s, record(gateway::go_node{1, 1, 2})).event.news, server_news::refused);
+        EXPECT_EQ(ask(s, record(gateway::send_inputs{1, 1, load, "1"})).event.news, server_news::accepted) << "what runs goes on";
+        status();
+        set(mode);
+        EXPECT_EQ(status(), cart_status::none) << "the same mode once more is no change of a cart";
+        set(circuit_mode::automatic);
+        EXPECT_EQ(status(), cart_status::busy | cart_status::ready | cart_status::warning);
+    }
+    EXPECT_EQ(ask(s, record(load_for(1))).event.news, server_news::accepted);
+    using enum circuit_mode;
+    for (const auto mode : {no_power_freezing, no_power_frozen, init, automatic, shutdown_ready, shutting_down}) EXPECT_TRUE(gateway::takes_transits(mode)) << trama::name_of(mode);
 }
 
 TEST(gateway_server, refuses_in_words_that_no_record_can_carry_all_the_same) {

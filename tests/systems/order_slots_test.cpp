@@ -218,6 +218,18 @@ TEST(order_slots, assigns_only_to_transits_that_are_current_or_next) {
     EXPECT_EQ(order_slots{}.find(trama::text<10>{}), nullptr) << "an unused slot bears no name";
 }
 
+TEST(order_slots, assigns_nothing_to_a_finished_transit_whether_another_came_or_not) {
+    order_slots s;
+    s.accept(numbered(1));
+    s.advance(transit_phase::transit_done);
+    ASSERT_EQ(s.find("1")->use, order_use::current);
+    EXPECT_FALSE(s.assign<&transit_order::last_command>("1", "lift")) << "it is the current one still";
+    s.accept(numbered(2));
+    ASSERT_EQ(s.find("1")->use, order_use::previous);
+    EXPECT_FALSE(s.assign<&transit_order::last_command>("1", "lift"));
+    EXPECT_EQ(s.find("1")->last_command.view(), "");
+}
+
 TEST(order_slots, assigns_nothing_that_a_cart_state_cannot_carry) {
     order_slots s;
     s.accept(numbered(1));

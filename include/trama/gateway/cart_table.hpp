@@ -19,14 +19,19 @@ constexpr cart_phase phase_of(const transit_order& transit) noexcept {
     }
 }
 
+/// False in the modes that exclude new transits: `semi_automatic`, "no new transits", and `manual`, "only manual control
+/// of the carts". [gateway, "Circuit_mode"] [T10]
+constexpr bool takes_transits(circuit_mode mode) noexcept { return mode != circuit_mode::semi_automatic && mode != circuit_mode::manual; }
+
 /// One cart as the gateway knows it.
 struct cart {
     cart_state state{};      ///< Position, speed and conditions: the application's. `orders`, `cart_phase`, busy and ready are derived.
     order_slots slots{};
     bool changed = false;    ///< The client has not been told of the latest change.
+    circuit_mode mode{};     ///< The circuit's; the table keeps it.
 
     /// The state as it is to be sent: busy while a transit is under way, ready while a new one would find a place and
-    /// nothing speaks against it. [gateway, "Cart_status"]
+    /// nothing speaks against it, the circuit's mode included. [gateway, "Cart_status"]
     constexpr cart_state report() const noexcept {
         cart_state s = state;
         s.orders = slots.orders();
@@ -34,7 +39,7 @@ struct cart {
         s.cart_phase = current == nullptr ? cart_phase::none : phase_of(*current);
         const bool busy = current != nullptr && current->phase != transit_phase::transit_done;
         constexpr cart_status against = cart_status::cart_error | cart_status::hook_error | cart_status::maintenance | cart_status::house_keeping;
-        const bool ready = slots.has_place() && !any_of(s.cart_status, against);
+        const bool ready = takes_transits(mode) && slots.has_place() && !any_of(s.cart_status, against);
         s.cart_status &= ~(cart_status::busy | cart_status::ready);
         if (busy) s.cart_status |= cart_status::busy;
         if (ready) s.cart_status |= cart_status::ready;
@@ -52,6 +57,7 @@ public:
         if (count_ == Carts || cart_id > 99999) return nullptr;
         cart& c = carts_[count_++];
         c.state.cart_id = cart_id;
+        c.mode = mode_;
         c.changed = true;
         return &c;
     }
@@ -60,6 +66,16 @@ public:
             if (carts_[i].state.cart_id == cart_id) return &carts_[i];
         return nullptr;
     }
+    /// The circuit's mode, for the carts there are and those to come. All have changed if that makes them ready or not.
+    constexpr void set_mode(circuit_mode mode) noexcept {
+        if (takes_transits(mode) != takes_transits(mode_)) change_all();
+        mode_ = mode;
+        for (std::size_t i = 0; i != count_; ++i) carts_[i].mode = mode;
+    }
+    /// Every cart's state is due.
+    constexpr void change_all() noexcept {
+        for (std::size_t i = 0; i != count_; ++i) carts_[i].changed = true;
+    }
     constexpr std::size_t size() const noexcept { return count_; }
     constexpr cart& operator[](std::size_t i) noexcept { return carts_[i]; }
     constexpr const cart& operator[](std::size_t i) const noexcept { return carts_[i]; }
@@ -67,6 +83,7 @@ public:
 private:
     std::array<cart, Carts> carts_{};
     std::size_t count_ = 0;
+    circuit_mode mode_{};
 };
 
 }  // namespace trama::gateway

@@ -80,14 +80,14 @@ public:
         return given_up;
     }
 
-    /// Sets `inputs`, `outputs`, `last_command` or `cargo_id` of a transit that is current or next. False, and nothing
+    /// Sets `inputs`, `outputs`, `last_command` or `cargo_id` of a transit that is under way or waits. False, and nothing
     /// changes, when there is none of that name, or when `value` is too long or not printable, which no cart_state could carry.
     template <text<10> transit_order::*Member>
     constexpr bool assign(const text<10>& transit_id, const text<10>& value) noexcept {
         static_assert(Member != &transit_order::transit_id && Member != &transit_order::options, "given once, with the order");
         if (!value.printable()) return false;
         for (transit_order& s : slots_) {
-            const bool alive = s.use == order_use::current || s.use == order_use::next;
+            const bool alive = (s.use == order_use::current && s.phase != transit_phase::transit_done) || s.use == order_use::next;
             if (!alive || s.transit_id != transit_id) continue;
             s.*Member = value;
             return true;

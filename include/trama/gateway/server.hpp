@@ -25,7 +25,7 @@ public:
         if (++latest_ == 0) ++latest_;
         active_ = latest_;
         circuit_changed_ = true;
-        for (std::size_t i = 0; i != carts_.size(); ++i) carts_[i].changed = true;
+        carts_.change_all();
         return active_;
     }
     /// A connection ended. Orders go on.
@@ -78,15 +78,17 @@ public:
     constexpr unsendable_state unsendable() const noexcept {
         if (active_ == 0) return {};
         for (std::size_t i = 0; i != carts_.size(); ++i)
-            if (const error fault = carts_[i].changed ? fault_of(carts_[i].report()) : error{}) return {order_type::cart_state, carts_[i].state.cart_id, fault};
-        if (const error fault = circuit_changed_ ? fault_of(circuit_) : error{}) return {order_type::circuit_state, 0, fault};
+            if (const error fault = carts_[i].changed ? detail::fault_of(carts_[i].report()) : error{}) return {order_type::cart_state, carts_[i].state.cart_id, fault};
+        if (const error fault = circuit_changed_ ? detail::fault_of(circuit_) : error{}) return {order_type::circuit_state, 0, fault};
         return {};
     }
 
     constexpr cart_table<Carts>& carts() noexcept { return carts_; }
     constexpr const cart_table<Carts>& carts() const noexcept { return carts_; }
     constexpr const circuit_state& circuit() const noexcept { return circuit_; }
+    /// The circuit's state from now on. A mode that takes no transits makes every cart not ready. [T10]
     constexpr void set_circuit(const circuit_state& c) noexcept {
+        carts_.set_mode(c.mode);
         circuit_ = c;
         circuit_changed_ = true;
     }
@@ -163,12 +165,6 @@ private:
         else return write(ack{0, e.cart_id, e.type, e.msg_id}, out);
     }
 
-    /// Why a state cannot be sent, whatever its number; no code when it can.
-    template <class M>
-    static constexpr error fault_of(M m) noexcept {
-        m.msg_id = 0;
-        return is_valid(m) ? error{} : refusal(m);
-    }
     /// The bytes of a message under the next number; 0, and nothing is written, when it has a violation.
     template <class M>
     constexpr std::size_t write(M m, std::span<std::uint8_t> out) noexcept {

@@ -40,6 +40,17 @@ struct unsendable_state {
     constexpr explicit operator bool() const noexcept { return type != order_type::none; }
 };
 
+namespace detail {
+
+/// Why a state cannot be sent, whatever its number; no code when it can.
+template <class M>
+constexpr error fault_of(M state) noexcept {
+    state.msg_id = 0;
+    return is_valid(state) ? error{} : refusal(state);
+}
+
+}  // namespace detail
+
 /// Lets every order pass that the slots can take.
 struct accept_all {
     constexpr std::string_view operator()(const auto&, const cart*) const noexcept { return {}; }

@@ -11,6 +11,8 @@ namespace trama::gateway::reason {
 inline constexpr std::string_view unknown_cart = "unknown cart";
 inline constexpr std::string_view no_place = "cart has no free order slot";
 inline constexpr std::string_view not_ready = "cart takes no orders";
+inline constexpr std::string_view no_transits = "the circuit takes no new transits";
+inline constexpr std::string_view no_station = "that transit has no station";
 inline constexpr std::string_view unknown_transit = "no such transit under way or waiting";
 inline constexpr std::string_view not_waiting = "cart does not wait at that node";
 inline constexpr std::string_view bad_number = "a field is no number";
@@ -57,27 +59,38 @@ constexpr transit_order transit_of(const M& m, const text<10>& transit_id) noexc
     return o;
 }
 
+/// Sets a value of a transit at a station: commands, inputs and cargo are for load, transit and unload. [T11]
+template <text<10> transit_order::*Member>
+constexpr std::string_view tell_hook(order_slots& slots, const text<10>& transit_id, const text<10>& value) noexcept {
+    const transit_order* o = slots.find(transit_id);
+    if (o != nullptr && (o->type == order_type::go_parking || o->type == order_type::go_node)) return reason::no_station;
+    return slots.assign<Member>(transit_id, value) ? std::string_view{} : reason::unknown_transit;
+}
+
 /// Carries out an order for a cart. Empty when that was possible, else the reason why not; then nothing changed.
 template <class M>
 constexpr std::string_view carry_out(const M& m, cart& c, const text<10>& transit_id) noexcept {
+    std::string_view refusal{};
     if constexpr (makes_transit(M::key)) {
-        if (!any_of(c.report().cart_status, cart_status::ready)) return c.slots.has_place() ? reason::not_ready : reason::no_place;
+        if (!takes_transits(c.mode)) return reason::no_transits;
+        if (!c.slots.has_place()) return reason::no_place;
+        if (!any_of(c.report().cart_status, cart_status::ready)) return reason::not_ready;
         (void)c.slots.accept(transit_of(m, transit_id));
     } else if constexpr (M::key == order_type::cancel_transits) {
         (void)c.slots.cancel();
     } else if constexpr (M::key == order_type::send_command) {
-        if (!c.slots.template assign<&transit_order::last_command>(m.transit_id, m.command)) return reason::unknown_transit;
+        refusal = tell_hook<&transit_order::last_command>(c.slots, m.transit_id, m.command);
     } else if constexpr (M::key == order_type::send_inputs) {
-        if (!c.slots.template assign<&transit_order::inputs>(m.transit_id, m.inputs)) return reason::unknown_transit;
+        refusal = tell_hook<&transit_order::inputs>(c.slots, m.transit_id, m.inputs);
     } else if constexpr (M::key == order_type::send_cargo_id) {
-        if (!c.slots.template assign<&transit_order::cargo_id>(m.transit_id, m.cargo_id)) return reason::unknown_transit;
+        refusal = tell_hook<&transit_order::cargo_id>(c.slots, m.transit_id, m.cargo_id);
     } else {
         static_assert(M::key == order_type::cross_granted);
         if (c.state.cross_confirmation_needed != 1 || c.state.end_node != m.node) return reason::not_waiting;
         c.state.cross_confirmation_needed = 0;
     }
-    c.changed = true;
-    return {};
+    if (refusal.empty()) c.changed = true;
+    return refusal;
 }
 
 }  // namespace trama::gateway::detail
