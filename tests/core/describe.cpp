@@ -6,6 +6,7 @@
 #include <string>
 
 #include "trama/daisy/format.hpp"
+#include "trama/gateway/format.hpp"
 
 namespace trama {
 namespace {
@@ -25,6 +26,20 @@ TEST(describe, a_field_behind_one_of_varying_size_counts_from_the_end) {
     EXPECT_FALSE(rows.at("rejected").from_end);
     EXPECT_EQ(rows.at("expected_crc").offset, 1U);
     EXPECT_TRUE(rows.at("expected_crc").from_end);
+}
+
+TEST(describe, what_is_allowed_is_the_rule_the_names_or_what_the_wire_carries) {
+    const auto load = rows_of<gateway::load>();
+    ASSERT_NE(load.at("level").allowed, nullptr);
+    EXPECT_EQ(load.at("level").allowed->high, 15) << "the field's own rule";
+    EXPECT_EQ(load.at("cart_id").allowed->high, 99999) << "five columns";
+    EXPECT_EQ(load.at("options").allowed, nullptr) << "any text";
+    const auto speed = rows_of<daisy::dc_motor::set_dc_speed>();
+    EXPECT_EQ(speed.at("direction").allowed->names.size(), 2U);
+    const auto circuit = rows_of<gateway::circuit_state>();
+    EXPECT_EQ(circuit.at("circuit_voltage").allowed->words, "0.0..999.9");
+    EXPECT_EQ(circuit.at("check").allowed, nullptr) << "any flags";
+    EXPECT_EQ(circuit.at("check").flags.size(), 22U);
 }
 
 TEST(describe, all_others_count_from_the_first_field) {

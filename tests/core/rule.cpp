@@ -34,6 +34,23 @@ TEST(rule, a_set_allows_its_members_only) {
     EXPECT_FALSE(r.any());
 }
 
+TEST(rule, says_nothing_only_if_no_part_of_it_says_anything) {
+    constexpr rule nothing{};
+    EXPECT_TRUE(nothing.any());
+    rule r = nothing;
+    r.low = 0;
+    EXPECT_FALSE(r.any());
+    r = nothing;
+    r.high = 9;
+    EXPECT_FALSE(r.any());
+    r = nothing;
+    r.set = 1;
+    EXPECT_FALSE(r.any());
+    r = nothing;
+    r.words = "an even number";
+    EXPECT_FALSE(r.any());
+}
+
 TEST(rule, an_empty_range_allows_nothing_but_the_extra_value) {
     const rule r{0, -1, -1, 0, {}, "no such sensor"};
     EXPECT_FALSE(r.allows(0));
