@@ -63,6 +63,25 @@ TYPED_TEST(guard_page, is_never_touched_wherever_a_chunk_ends) {
     EXPECT_GT(covered, 0U);
 }
 
+TYPED_TEST(guard_page, is_never_touched_by_reading_the_fields_of_a_body) {
+    guarded memory_end;
+    ASSERT_TRUE(memory_end.usable());
+    rng random(7);
+    memory views;
+    for (int round = 0; round != 20; ++round)
+        TypeParam::messages::each([&]<class M>() {
+            const M m = random_message<M>(random, manners::valid, views);
+            octets body(body_size(m));
+            store_body(body.data(), m);
+            M back{};
+            ASSERT_FALSE(load_body(memory_end.end_with(std::span<const std::uint8_t>(body)), back)) << M::name;
+            EXPECT_EQ(back, m) << M::name;
+            if (body.empty()) return;
+            body[random.below(body.size())] = static_cast<std::uint8_t>(random.below(256));
+            (void)load_body(memory_end.end_with(std::span<const std::uint8_t>(body)), back);
+        });
+}
+
 TYPED_TEST(guard_page, is_never_written_by_an_encoder_that_fills_its_buffer) {
     guarded memory_end;
     ASSERT_TRUE(memory_end.usable());
