@@ -1,7 +1,6 @@
-// expect: constant expression|not usable in a constant
+// expect: not usable in a constant|not a constant expression
 #include "trama/daisy/format.hpp"
+using trama::daisy::distance_sensor::get_value_reply;
 
-std::uint16_t measured = 512;
-int computed = 66'559;
-trama::daisy::distance_sensor::get_value_reply fits{.sensors = 1, .readings = {measured}};
-trama::daisy::distance_sensor::get_value_reply might_not{.sensors = 1, .readings = {computed}};  // wrong
+unsigned fits(std::uint16_t measured) { return get_value_reply{.sensors = 1, .readings = {measured}}.readings[0]; }
+unsigned might_not(int computed) { return get_value_reply{.sensors = 1, .readings = {computed}}.readings[0]; }  // wrong

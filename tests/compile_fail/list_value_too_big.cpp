@@ -1,5 +1,6 @@
-// expect: does not fit|constant expression
+// expect: the_value_does_not_fit|not a constant expression
 #include "trama/daisy/format.hpp"
+using trama::daisy::distance_sensor::get_value_reply;
 
-trama::daisy::distance_sensor::get_value_reply fits{.sensors = 1, .readings = {65'535}};
-trama::daisy::distance_sensor::get_value_reply too_big{.sensors = 1, .readings = {65'536}};  // wrong
+unsigned fits() { return get_value_reply{.sensors = 1, .readings = {65'535}}.readings[0]; }
+unsigned too_big() { return get_value_reply{.sensors = 1, .readings = {65'536}}.readings[0]; }  // wrong

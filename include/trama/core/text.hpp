@@ -117,7 +117,11 @@ struct bounded_list {
 
 private:
     template <class U>
-    static consteval T checked(U v) { return std::in_range<T>(v) ? static_cast<T>(v) : throw "the value does not fit"; }
+    static consteval T checked(U v) {
+        if (!std::in_range<T>(v)) the_value_does_not_fit();
+        return static_cast<T>(v);
+    }
+    static void the_value_does_not_fit();  ///< Has no definition: to call it ends the compilation.
 };
 
 }  // namespace trama
