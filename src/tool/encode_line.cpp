@@ -51,7 +51,7 @@ private:
     }
     bool read_envelope() {
         if constexpr (is_daisy) return read_number("destination", 255, envelope_.destination.octet) && read_number("source", 255, envelope_.source.octet) && read_kind();
-        else if constexpr (is_can) return read_number("id", 0x7FF, envelope_.id);
+        else if constexpr (is_can) return read_number("id", can::last_id, envelope_.id);
         else return true;
     }
     bool read_kind() {

@@ -6,7 +6,7 @@
 namespace trama::can {
 
 inline constexpr std::uint32_t last_id = 0x7FF;  ///< Of a classic frame.
-inline constexpr rule id_rule{0, last_id, 0, 0, {}, "0..2047"};
+inline constexpr rule id_rule = between(0, last_id);
 
 /// The CAN format as the generic harnesses see it.
 struct format {
@@ -31,11 +31,12 @@ struct format {
     }
 
     /// Writes `m` as frames to `out`: the frames written; `buffer_too_small`; or `out_of_range` with the first field that
-    /// has a violation, or with `id` for an identifier of more than 11 bits. Nothing is written on error. Send the frames of one message without others of its identifier between.
+    /// has a violation, or with `id` for an identifier of more than 11 bits. Nothing is written on error. Send the frames of
+    /// one message without others of its identifier between.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode(const can::envelope& e, const M& m, std::span<unit> out) noexcept {
-        if (!is_valid(m) && e.id <= last_id) [[unlikely]] return refusal(m);
+        if (e.id <= last_id && !is_valid(m)) [[unlikely]] return refusal(m);
         return encode_unchecked(e, m, out);
     }
     /// As `encode`, for values that the document does not allow yet the wire can carry.
