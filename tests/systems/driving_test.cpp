@@ -438,7 +438,7 @@ TEST(driving, a_client_and_a_server) {
     EXPECT_EQ(told, "T000000001");
 
     on_progress(server, 1, gateway::transit_phase::transit_done, 12);
-    EXPECT_EQ(server.carts()[0].report().cart_phase, gateway::cart_phase::transit_done);
+    EXPECT_EQ(server.carts()[0].report(server.circuit().mode).cart_phase, gateway::cart_phase::transit_done);
     on_progress(server, 2, gateway::transit_phase::transit_done, 12);
     (void)server.connect();
     std::array<std::uint8_t, gateway::max_record> out{};

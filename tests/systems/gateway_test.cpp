@@ -115,7 +115,7 @@ TEST(gateway_server, reports_conditions_without_a_name_as_they_are) {
     auto s = server_with_cart_1();
     auto& cart = *s.carts().find(1);
     cart.state.cart_status = static_cast<gateway::cart_status>(0x1000) | gateway::cart_status::loaded;
-    EXPECT_EQ(cart.report().cart_status, static_cast<gateway::cart_status>(0x1000) | gateway::cart_status::loaded | gateway::cart_status::ready);
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, static_cast<gateway::cart_status>(0x1000) | gateway::cart_status::loaded | gateway::cart_status::ready);
 }
 
 TEST(gateway_server, answers_each_kind_of_order_by_the_reply_that_the_document_gives_it) {
@@ -239,10 +239,10 @@ TEST(gateway_server, takes_no_new_transits_while_the_circuits_mode_forbids_them)
         SCOPED_TRACE(trama::name_of(mode));
         set(mode);
         EXPECT_EQ(status(), cart_status::busy | cart_status::warning) << "carts are not ready any more, and the client is told";
-        EXPECT_EQ(cart.report().cart_status, cart_status::busy);
+        EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::busy);
         server_of_3 later;
         later.set_circuit(s.circuit());
-        EXPECT_EQ(later.carts().add(1)->report().cart_status, cart_status::none) << "a cart that comes later";
+        EXPECT_EQ(later.carts().add(1)->report(mode).cart_status, cart_status::none) << "a cart that comes later";
         const auto [event, reply] = ask(s, record(load_for(1)));
         EXPECT_EQ(event.news, server_news::refused);
         EXPECT_EQ(words(only<gateway::nack>(reply)), gateway::reason::no_transits);
@@ -432,16 +432,16 @@ TEST(gateway_server, a_cart_is_busy_until_its_transit_is_done) {
     using gateway::cart_status, gateway::transit_phase;
     auto s = server_with_cart_1();
     auto& cart = *s.carts().find(1);
-    EXPECT_EQ(cart.report().cart_status, cart_status::ready);
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::ready);
     ask(s, record(load_for(1)));
-    EXPECT_EQ(cart.report().cart_status, cart_status::busy | cart_status::ready) << "on its way";
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::busy | cart_status::ready) << "on its way";
     ASSERT_TRUE(cart.slots.advance(transit_phase::transiting));
-    EXPECT_EQ(cart.report().cart_status, cart_status::busy | cart_status::ready) << "at work";
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::busy | cart_status::ready) << "at work";
     ask(s, record(load_for(1)));
-    EXPECT_EQ(cart.report().cart_status, cart_status::busy) << "both slots taken";
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::busy) << "both slots taken";
     ASSERT_TRUE(cart.slots.advance(transit_phase::transit_done));
     ASSERT_TRUE(cart.slots.advance(transit_phase::transit_done));
-    EXPECT_EQ(cart.report().cart_status, cart_status::ready) << "done";
+    EXPECT_EQ(cart.report(s.circuit().mode).cart_status, cart_status::ready) << "done";
 }
 
 TEST(gateway_client, finds_cargo_that_a_cart_holds_or_has_just_delivered) {

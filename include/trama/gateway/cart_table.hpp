@@ -28,11 +28,10 @@ struct cart {
     cart_state state{};      ///< Position, speed and conditions: the application's. `orders`, `cart_phase`, busy and ready are derived.
     order_slots slots{};
     bool changed = false;    ///< The client has not been told of the latest change.
-    circuit_mode mode{};     ///< The circuit's; the table keeps it.
 
     /// The state as it is to be sent: busy while a transit is under way, ready while a new one would find a place and
-    /// nothing speaks against it, the circuit's mode included. [gateway, "Cart_status"]
-    constexpr cart_state report() const noexcept {
+    /// nothing speaks against it, the circuit's `mode` included. [gateway, "Cart_status"]
+    constexpr cart_state report(circuit_mode mode) const noexcept {
         cart_state s = state;
         s.orders = slots.orders();
         const transit_order* current = slots.find(order_use::current);
@@ -57,7 +56,6 @@ public:
         if (count_ == Carts || cart_id > 99999) return nullptr;
         cart& c = carts_[count_++];
         c.state.cart_id = cart_id;
-        c.mode = mode_;
         c.changed = true;
         return &c;
     }
@@ -65,12 +63,6 @@ public:
         for (std::size_t i = 0; i != count_; ++i)
             if (carts_[i].state.cart_id == cart_id) return &carts_[i];
         return nullptr;
-    }
-    /// The circuit's mode, for the carts there are and those to come. All have changed if that makes them ready or not.
-    constexpr void set_mode(circuit_mode mode) noexcept {
-        if (takes_transits(mode) != takes_transits(mode_)) change_all();
-        mode_ = mode;
-        for (std::size_t i = 0; i != count_; ++i) carts_[i].mode = mode;
     }
     /// Every cart's state is due.
     constexpr void change_all() noexcept {
@@ -83,7 +75,6 @@ public:
 private:
     std::array<cart, Carts> carts_{};
     std::size_t count_ = 0;
-    circuit_mode mode_{};
 };
 
 }  // namespace trama::gateway

@@ -67,7 +67,7 @@ public:
             const std::size_t at = turn_;
             turn_ = at < carts_.size() ? at + 1 : 0;
             bool& changed = at < carts_.size() ? carts_[at].changed : circuit_changed_;
-            const std::size_t n = !changed ? 0 : at < carts_.size() ? write(carts_[at].report(), out) : write(circuit_, out);
+            const std::size_t n = !changed ? 0 : at < carts_.size() ? write(carts_[at].report(circuit_.mode), out) : write(circuit_, out);
             if (n == 0) continue;
             changed = false;
             return n;
@@ -78,7 +78,7 @@ public:
     constexpr unsendable_state unsendable() const noexcept {
         if (active_ == 0) return {};
         for (std::size_t i = 0; i != carts_.size(); ++i)
-            if (const error fault = carts_[i].changed ? detail::fault_of(carts_[i].report()) : error{}) return {order_type::cart_state, carts_[i].state.cart_id, fault};
+            if (const error fault = carts_[i].changed ? detail::fault_of(carts_[i].report(circuit_.mode)) : error{}) return {order_type::cart_state, carts_[i].state.cart_id, fault};
         if (const error fault = circuit_changed_ ? detail::fault_of(circuit_) : error{}) return {order_type::circuit_state, 0, fault};
         return {};
     }
@@ -88,7 +88,7 @@ public:
     constexpr const circuit_state& circuit() const noexcept { return circuit_; }
     /// The circuit's state from now on. A mode that takes no transits makes every cart not ready. [T10]
     constexpr void set_circuit(const circuit_state& c) noexcept {
-        carts_.set_mode(c.mode);
+        if (takes_transits(c.mode) != takes_transits(circuit_.mode)) carts_.change_all();
         circuit_ = c;
         circuit_changed_ = true;
     }
@@ -149,7 +149,7 @@ private:
             if (c == nullptr) return reason::unknown_cart;
             if (const std::string_view veto = judge(m, static_cast<const cart*>(c)); !veto.empty()) return veto;
             const text<10> name = detail::transit_name(transits_);
-            const std::string_view refusal = detail::carry_out(m, *c, name);
+            const std::string_view refusal = detail::carry_out(m, *c, circuit_.mode, name);
             if (refusal.empty() && makes_transit(M::key)) {
                 e.transit_id = name;
                 transits_ = transits_ + 1 == detail::most_transits ? 1 : transits_ + 1;

@@ -67,14 +67,14 @@ constexpr std::string_view tell_hook(order_slots& slots, const text<10>& transit
     return slots.assign<Member>(transit_id, value) ? std::string_view{} : reason::unknown_transit;
 }
 
-/// Carries out an order for a cart. Empty when that was possible, else the reason why not; then nothing changed.
+/// Carries out an order for a cart in that mode of the circuit. Empty when that was possible, else the reason why not; then nothing changed.
 template <class M>
-constexpr std::string_view carry_out(const M& m, cart& c, const text<10>& transit_id) noexcept {
+constexpr std::string_view carry_out(const M& m, cart& c, circuit_mode mode, const text<10>& transit_id) noexcept {
     std::string_view refusal{};
     if constexpr (makes_transit(M::key)) {
-        if (!takes_transits(c.mode)) return reason::no_transits;
+        if (!takes_transits(mode)) return reason::no_transits;
         if (!c.slots.has_place()) return reason::no_place;
-        if (!any_of(c.report().cart_status, cart_status::ready)) return reason::not_ready;
+        if (!any_of(c.report(mode).cart_status, cart_status::ready)) return reason::not_ready;
         (void)c.slots.accept(transit_of(m, transit_id));
     } else if constexpr (M::key == order_type::cancel_transits) {
         (void)c.slots.cancel();
