@@ -1,4 +1,4 @@
-// expect: not usable in a constant|not a constant expression
+// expect: narrowing|cannot be narrowed
 #include "trama/daisy/format.hpp"
 using trama::daisy::distance_sensor::get_value_reply;
 

@@ -1,4 +1,4 @@
-// expect: the_value_does_not_fit|not a constant expression
+// expect: narrowing|cannot be narrowed
 #include "trama/daisy/format.hpp"
 using trama::daisy::distance_sensor::get_value_reply;
 

@@ -80,21 +80,36 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Up to `Capacity` values in place. Compares those before `size()`.
+/// What a `bounded_list` keeps, and its constructors: one for each number of values up to that of `Places`. The parameters are
+/// of type T itself, so that a value in braces that does not fit is refused like that of any other field.
+template <class T, std::size_t Capacity, class Places = std::make_index_sequence<Capacity>>
+struct list_content;
 template <class T, std::size_t Capacity>
-struct bounded_list {
+struct list_content<T, Capacity, std::index_sequence<>> {
     std::array<T, Capacity> values{};
     std::uint8_t count = 0;  ///< 0..Capacity.
+};
+template <class T, std::size_t Capacity, std::size_t... Places>
+struct list_content<T, Capacity, std::index_sequence<Places...>> : list_content<T, Capacity, std::make_index_sequence<sizeof...(Places) - 1>> {
+    template <std::size_t>
+    using value_at = T;
+
+    using list_content<T, Capacity, std::make_index_sequence<sizeof...(Places) - 1>>::list_content;
+    constexpr list_content() = default;
+    constexpr list_content(value_at<Places>... all) noexcept {
+        this->values = {all...};
+        this->count = sizeof...(Places);
+    }
+};
+
+/// Up to `Capacity` values in place. Compares those before `size()`.
+template <class T, std::size_t Capacity>
+struct bounded_list : list_content<T, Capacity> {
+    using list_content<T, Capacity>::values, list_content<T, Capacity>::count;
 
     constexpr bounded_list() = default;
-    /// The values given; more than `Capacity` do not compile.
-    template <class... U>
-        requires(sizeof...(U) >= 1 && sizeof...(U) <= Capacity && (std::is_same_v<U, T> && ...))
-    constexpr bounded_list(U... all) noexcept : values{all...}, count{sizeof...(U)} {}
-    /// Constants, of whatever type; one that is no `T` does not compile. A variable has to be a `T`.
-    template <class... U>
-        requires(sizeof...(U) >= 1 && sizeof...(U) <= Capacity && (std::is_integral_v<U> && ...) && !(std::is_same_v<U, T> && ...))
-    consteval bounded_list(U... all) : values{checked(all)...}, count{sizeof...(U)} {}
+    /// The values given, as in `{1, 2, 3}`; more than `Capacity` do not compile.
+    using list_content<T, Capacity>::list_content;
 
     constexpr std::size_t size() const noexcept { return count < Capacity ? count : Capacity; }
     constexpr const T& operator[](std::size_t i) const noexcept { return values[i]; }
@@ -114,14 +129,6 @@ struct bounded_list {
             if (a.values[i] != b.values[i]) return false;
         return true;
     }
-
-private:
-    template <class U>
-    static consteval T checked(U v) {
-        if (!std::in_range<T>(v)) the_value_does_not_fit();
-        return static_cast<T>(v);
-    }
-    static void the_value_does_not_fit();  ///< Has no definition: to call it ends the compilation.
 };
 
 }  // namespace trama
