@@ -36,17 +36,20 @@ void each_chosen_word(const M& m, auto&& f) {
 }
 
 /// Feeds `in` in pieces of `chunk` units (0: whole) and calls `f(event)` for everything that comes out.
-template <class F>
+template <class F, bool Ahead = false>
 [[gnu::always_inline]] inline void drive(unit_span<F> in, std::size_t chunk, auto&& f) {
     typename F::decoder decoder;
     const std::size_t piece = chunk == 0 ? std::max<std::size_t>(in.size(), 1) : chunk;
-    while (!in.empty()) {
-        auto part = in.first(std::min(piece, in.size()));
+    for (bool ended = false;;) {
+        const auto part = in.first(std::min(piece, in.size()));
         in = in.subspan(part.size());
-        read<F>(decoder, part, f);
+        if constexpr (Ahead) read_ahead<F>(decoder, part, f);
+        else read<F>(decoder, part, f);
+        if (ended) return;
+        if (!in.empty()) continue;
+        decoder.finish();
+        ended = true;
     }
-    decoder.finish();
-    read<F>(decoder, {}, f);
 }
 
 /// Finds the packets.
@@ -64,7 +67,7 @@ tally framing(unit_span<F> in, std::size_t chunk) {
 template <class F, bool Ordered, bool Validate>
 tally typed(unit_span<F> in, std::size_t chunk) {
     account<Ordered> a;
-    drive<F>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
+    drive<F, true>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (!event) return a.error(event.length, static_cast<std::uint64_t>(event.code));
         const error e = visit<F>(event.packet, [&]<class M>(const M& m) __attribute__((always_inline)) {
             bool good = true;

@@ -27,7 +27,7 @@ text_lines library_lines(std::span<const std::uint8_t> stream, std::span<const s
     const auto note = [&](const typename F::event& e) { lines.push_back(line_of<F>(e)); };
     const auto feed = [&](std::span<const std::uint8_t> part) {
         const exact<std::uint8_t> copy(part);
-        read<F>(decoder, copy.all(), note);
+        read_ahead<F>(decoder, copy.all(), note);
     };
     std::size_t at = 0;
     for (const std::size_t stop : idle_at) {

@@ -69,22 +69,44 @@ constexpr bool views_agree(const Packet& p, const M& m) {
     }
 }
 
-/// All ways to the typed message lead to `m`.
+/// What a packet should carry. Virtual, so that what feeds decoders and visits is compiled once per format, not per message.
+template <wire_format F>
+struct expectation {
+    typename F::envelope envelope;
+
+    /// Whether all ways that name the type lead from the packet to the message.
+    constexpr virtual bool decodes(const typename F::packet& p) const = 0;
+
+protected:
+    constexpr explicit expectation(const typename F::envelope& e) : envelope(e) {}
+    ~expectation() = default;
+};
 template <wire_format F, class M>
-constexpr bool is_message(const typename F::packet& p, const typename F::envelope& e, const M& m) {
-    if (!(p.envelope() == e) || p.index() >= F::messages::count) return false;
-    const auto back = decode<M>(p);
-    if (!back || !(*back == m)) return false;
-    M into{};
-    if (decode_into(p, into) || !(into == m)) return false;
+struct expected_message final : expectation<F> {
+    const M& message;
+
+    constexpr expected_message(const typename F::envelope& e, const M& m) : expectation<F>(e), message(m) {}
+    constexpr bool decodes(const typename F::packet& p) const override {
+        const auto back = decode<M>(p);
+        M into{};
+        return back && *back == message && !decode_into(p, into) && into == message && views_agree(p, message);
+    }
+};
+
+/// All ways to the typed message lead to the one expected, whose units are `stream`: that is how the visited one shows itself.
+template <wire_format F>
+constexpr bool is_message(const typename F::packet& p, const expectation<F>& expected, units<F> stream) {
+    if (!(p.envelope() == expected.envelope) || p.index() >= F::messages::count || !expected.decodes(p)) return false;
     bool visited = false;
-    const error why = visit<F>(p, [&]<class Other>(const Other& other) {
-        if constexpr (std::is_same_v<Other, M>) visited = other == m;
+    const error why = visit<F>(p, [&](const auto& m) {
+        page<F> out;
+        const auto size = F::encode_unchecked(p.envelope(), m, out.all);
+        visited = size && std::ranges::equal(units<F>(out.all).first(*size), stream);
     });
-    return !why && visited && views_agree(p, m);
+    return !why && visited;
 }
 
-/// The first chunk of a stream and all others. A type of its own, so that each message's checks are compiled once.
+/// The first chunk of a stream and all others.
 struct cuts {
     std::size_t first;
     std::size_t others;
@@ -120,32 +142,32 @@ constexpr bool feed(typename F::decoder& d, units<F> stream, auto&& cut, auto&& 
     return d.pending() == 0 && covered + d.counters().foreign == stream.size() && d.counters().packets == packets && counted == errors;
 }
 
-/// Fed in such chunks, `stream` gives exactly one event: `m`, from its first unit to its last.
-template <wire_format F, class M>
-constexpr bool decodes_to(const typename F::envelope& e, const M& m, units<F> stream, cuts cut) {
+/// Fed in such chunks, `stream` gives exactly one event: the message, from its first unit to its last.
+template <wire_format F>
+constexpr bool decodes_to(const expectation<F>& expected, units<F> stream, cuts cut) {
     typename F::decoder d;
     std::size_t seen = 0;
     bool good = true;
     const bool whole = feed<F>(d, stream, cut, [&](const auto& event) {
-        good = good && event.code == errc::ok && event.offset == 0 && event.length == stream.size() && is_message<F>(event.packet, e, m);
+        good = good && event.code == errc::ok && event.offset == 0 && event.length == stream.size() && is_message<F>(event.packet, expected, stream);
         ++seen;
     });
     return whole && good && seen == 1;
 }
 
 /// As `decodes_to`, whatever the chunk size; `stride` thins the sizes out: static_asserts pass a coarse one, clang stops after 2^20 steps.
-template <wire_format F, class M>
-constexpr bool decodes_in_chunks(const typename F::envelope& e, const M& m, units<F> stream, std::size_t stride = 1) {
+template <wire_format F>
+constexpr bool decodes_in_chunks(const expectation<F>& expected, units<F> stream, std::size_t stride = 1) {
     for (std::size_t chunk = 1; chunk < stream.size(); chunk += stride)
-        if (!decodes_to<F>(e, m, stream, cuts{chunk, chunk})) return false;
-    return decodes_to<F>(e, m, stream, cuts{stream.size(), stream.size()});
+        if (!decodes_to<F>(expected, stream, cuts{chunk, chunk})) return false;
+    return decodes_to<F>(expected, stream, cuts{stream.size(), stream.size()});
 }
 
 /// As `decodes_to`, cut in two at every `stride`-th place.
-template <wire_format F, class M>
-constexpr bool decodes_at_splits(const typename F::envelope& e, const M& m, units<F> stream, std::size_t stride = 1) {
+template <wire_format F>
+constexpr bool decodes_at_splits(const expectation<F>& expected, units<F> stream, std::size_t stride = 1) {
     for (std::size_t split = 1; split < stream.size(); split += stride)
-        if (!decodes_to<F>(e, m, stream, cuts{split, stream.size()})) return false;
+        if (!decodes_to<F>(expected, stream, cuts{split, stream.size()})) return false;
     return true;
 }
 
@@ -154,7 +176,7 @@ template <wire_format F, class M>
 constexpr bool round_trips(const typename F::envelope& e, const M& m, std::size_t stride = 1) {
     page<F> out;
     const auto size = F::encode(e, m, std::span(out.all).first(F::max_units));
-    return size && decodes_in_chunks<F>(e, m, units<F>(out.all).first(*size), stride);
+    return size && decodes_in_chunks<F>(expected_message<F, M>(e, m), units<F>(out.all).first(*size), stride);
 }
 
 /// As `round_trips`, for messages with violations: the encoder refuses them by `field`, its unchecked twin writes them.
@@ -164,7 +186,7 @@ constexpr bool round_trips_unchecked(const typename F::envelope& e, const M& m, 
     const auto refused = F::encode(e, m, out.all);
     if (refused || refused.error() != error{errc::out_of_range, field} || !out.untouched_from(0)) return false;
     const auto size = F::encode_unchecked(e, m, std::span(out.all).first(F::max_units));
-    return size && decodes_to<F>(e, m, units<F>(out.all).first(*size), cuts{*size, *size});
+    return size && decodes_to<F>(expected_message<F, M>(e, m), units<F>(out.all).first(*size), cuts{*size, *size});
 }
 
 }  // namespace trama::properties

@@ -6,6 +6,7 @@
 ///
 ///     decoder.next(in)       takes bytes (can: frames) and gives one packet or error, or `need_more`; core/wire_format.hpp
 ///     read<format>(d, in, f) calls `f` with each of the packets and errors in `in`
+///     read_ahead             as read, faster where `f` does something else for every kind of message (daisy)
 ///     finish, idle, tick     of a decoder: the input ended, the line fell silent, time went on
 ///     reset, pending         forget what is in progress; how much it is
 ///     counters               of a decoder: what it has seen; core/error.hpp

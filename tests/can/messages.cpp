@@ -89,10 +89,10 @@ TEST(can_messages, an_identifier_of_more_than_11_bits_is_refused_even_unchecked)
         EXPECT_EQ(encode_unchecked({id}, m, out).error(), (error{errc::out_of_range, {field_ref::id}}));
         EXPECT_EQ(out[0], frame{});
         int violations = 0;
-        format::for_each_violation({id}, m, [&](const violation& v) { violations += v.field.field == field_ref::id && v.value == id ? 1 : 100; });
+        format::for_each_violation({id}, m, [&](const violation& v) { violations += v.field.field == field_ref::id && v.value == id && v.allowed->low == 0 && v.allowed->high == 2047 ? 1 : 100; });
         EXPECT_EQ(violations, 1);
     }
-    format::for_each_violation({0x7FF}, m, [&](const violation&) { ADD_FAILURE(); });
+    for (const std::uint32_t id : {0U, 0x7FFU}) format::for_each_violation({id}, m, [&](const violation&) { ADD_FAILURE() << id; });
     std::array<char, 16> room;
     text_sink words(room);
     print_path<read_sensors>(words, {field_ref::id});

@@ -52,9 +52,9 @@ constexpr void each_row(const Table& table, auto&& f) {
 /// Encodes to exactly its units and decodes from them, whole and in some chunks.
 constexpr bool holds(const auto& row, std::size_t stride) {
     using F = typename std::remove_cvref_t<decltype(row)>::format;
+    const properties::expected_message<F, std::remove_cvref_t<decltype(row.value)>> expected(row.envelope, row.value);
     return row.name == row.value.name && properties::encodes_to<F>(row.envelope, row.value, row.units(), stride) &&
-           properties::decodes_in_chunks<F>(row.envelope, row.value, row.units(), stride) &&
-           properties::decodes_at_splits<F>(row.envelope, row.value, row.units(), stride);
+           properties::decodes_in_chunks<F>(expected, row.units(), stride) && properties::decodes_at_splits<F>(expected, row.units(), stride);
 }
 
 /// One row's proof, so that the compiler names the row that fails, and so that each has its own step budget.

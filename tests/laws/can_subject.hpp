@@ -114,4 +114,7 @@ struct subject<can::format> {
     }
 };
 
+extern template std::vector<can::format::unit> random_units<can::format>(rng&, manners);
+extern template std::string line_of<can::format>(const can::event&);
+
 }  // namespace trama::test

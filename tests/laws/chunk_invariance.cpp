@@ -36,5 +36,41 @@ TYPED_TEST(chunk_invariance, the_events_of_a_stream_do_not_depend_on_how_it_is_c
         }
 }
 
+/// All events of `stream` in chunks of `chunk` units, and where the decoder is when `f` is called; which now and then calls idle or reset.
+template <class F>
+std::vector<std::string> account_of(std::span<const typename F::unit> stream, std::size_t chunk, std::size_t meddle, auto&& drain) {
+    std::vector<std::string> notes;
+    auto decoder = subject<F>::make_decoder();
+    const auto note = [&](const typename F::event& e) {
+        notes.push_back(line_of<F>(e) + ' ' + std::to_string(decoder.counters().packets) + ' ' + std::to_string(decoder.pending()));
+        if (meddle == 0 || notes.size() % meddle != 0) return;
+        if constexpr (requires { decoder.idle(); }) if (notes.size() % 2 == 0) return decoder.idle();
+        decoder.reset();
+    };
+    while (!stream.empty()) {
+        const auto part = stream.first(std::min(chunk, stream.size()));
+        stream = stream.subspan(part.size());
+        drain(decoder, part, note);
+    }
+    decoder.finish();
+    drain(decoder, stream, note);
+    return notes;
+}
+
+TYPED_TEST(chunk_invariance, reading_ahead_is_asking_for_one_event_after_the_other) {
+    using units = std::span<const typename TypeParam::unit>;
+    const auto one_by_one = [](auto& decoder, units in, auto& f) { read<TypeParam>(decoder, in, f); };
+    const auto ahead = [](auto& decoder, units in, auto& f) { read_ahead<TypeParam>(decoder, in, f); };
+    for (const traffic kind : all_traffic)
+        for (std::uint64_t seed = first_seed() + 1; seed != first_seed() + 41 && !this->HasFailure(); ++seed) {
+            rng random(seed);
+            const auto stream = subject<TypeParam>::random_stream(random, kind, 600);
+            for (const std::size_t chunk : {stream.size(), std::size_t{1} + random.below(50)})
+                for (const std::size_t meddle : {std::size_t{0}, std::size_t{2} + random.below(30)})
+                    EXPECT_EQ(first_difference(account_of<TypeParam>(stream, chunk, meddle, one_by_one), account_of<TypeParam>(stream, chunk, meddle, ahead)), "")
+                        << name_of(kind) << " traffic, seed " << seed << ", chunks of " << chunk << ", meddling " << meddle << ", stream " << show<TypeParam>(stream);
+        }
+}
+
 }  // namespace
 }  // namespace trama::test

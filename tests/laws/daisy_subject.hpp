@@ -115,4 +115,7 @@ struct subject<daisy::format> : byte_subject {
     }
 };
 
+extern template std::vector<daisy::format::unit> random_units<daisy::format>(rng&, manners);
+extern template std::string line_of<daisy::format>(const daisy::event&);
+
 }  // namespace trama::test

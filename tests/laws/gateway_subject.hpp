@@ -78,4 +78,7 @@ struct subject<gateway::format> : byte_subject {
     }
 };
 
+extern template std::vector<gateway::format::unit> random_units<gateway::format>(rng&, manners);
+extern template std::string line_of<gateway::format>(const gateway::event&);
+
 }  // namespace trama::test

@@ -39,6 +39,9 @@ private:
     std::uint8_t* memory_ = nullptr;
 };
 
+/// EXPECT_TRUE where it would be compiled once for each message.
+[[gnu::noinline]] void holds(bool is_so, std::string_view message) { EXPECT_TRUE(is_so) << message; }
+
 template <class F>
 class guard_page : public testing::Test {};
 using formats = testing::Types<daisy::format, can::format, gateway::format>;
@@ -74,8 +77,8 @@ TYPED_TEST(guard_page, is_never_touched_by_reading_the_fields_of_a_body) {
             octets body(body_size(m));
             store_body(body.data(), m);
             M back{};
-            ASSERT_FALSE(load_body(memory_end.end_with(std::span<const std::uint8_t>(body)), back)) << M::name;
-            EXPECT_EQ(back, m) << M::name;
+            const error why = load_body(memory_end.end_with(std::span<const std::uint8_t>(body)), back);
+            holds(!why && back == m, M::name);
             if (body.empty()) return;
             body[random.below(body.size())] = static_cast<std::uint8_t>(random.below(256));
             (void)load_body(memory_end.end_with(std::span<const std::uint8_t>(body)), back);
@@ -92,7 +95,7 @@ TYPED_TEST(guard_page, is_never_written_by_an_encoder_that_fills_its_buffer) {
         const auto envelope = subject<TypeParam>::template random_envelope<M>(random, manners::valid);
         const std::vector<typename TypeParam::unit> blank(TypeParam::encoded_size(m));
         const auto out = memory_end.end_with(std::span<const typename TypeParam::unit>(blank));
-        EXPECT_TRUE(TypeParam::encode(envelope, m, std::span(const_cast<typename TypeParam::unit*>(out.data()), out.size()))) << M::name;
+        holds(bool(TypeParam::encode(envelope, m, std::span(const_cast<typename TypeParam::unit*>(out.data()), out.size()))), M::name);
     });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // What the laws need to know of a format beyond the wire_format concept: each of daisy.hpp, can.hpp and
-// gateway.hpp beside this file specialises `subject`.
+// gateway.hpp beside this file specialises `subject`. What is the same in all tests of a format is compiled once, in tests/subjects/.
 
 #include <array>
 #include <span>
@@ -91,8 +91,8 @@ std::string error_line(const auto& e, errc code, std::span<const std::uint8_t> b
 }
 
 /// The JSON line of `e`.
-template <wire_format F>
-std::string line_of(const auto& e) {
+template <wire_format F, class Event>
+std::string line_of(const Event& e) {
     if (e.code != errc::ok) return error_line<F>(e, e.code, e.bytes, subject<F>::error_tail(e));
     std::string tail;
     const error bad = visit<F>(e.packet, [&]<class M>(const M& m) { tail = subject<F>::template identity<M>(e) + fields_and_violations<F>(e.packet.envelope(), m); });

@@ -141,6 +141,7 @@ class Bench:
                 files = list((self.tree / "src" / "tool").glob("*.cpp"))
             elif kind == "probe":
                 files = [self.tree / "tests" / "laws" / f"{law}_{rest}.cpp" for law in ("reference", "round_trip")]
+                files.append(self.tree / "tests" / "subjects" / f"{rest}.cpp")
             else:
                 files = [self.tree / "fuzz" / "targets" / f"{rest}.cpp", self.tree / "fuzz" / "mutators" / f"{rest.split('_')[0]}.cpp"]
             self._closures[name] = self._closure(files)

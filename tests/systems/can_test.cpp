@@ -297,6 +297,13 @@ TEST(can_sensor_node, counts_what_came_and_went) {
     EXPECT_EQ(n.quality().bytes_skipped, 1U);
 }
 
+TEST(can_master, polls_as_many_nodes_as_it_has_room_for) {
+    can::master<2> m(can::master_1);
+    EXPECT_TRUE(m.poll(1));
+    EXPECT_TRUE(m.poll(2));
+    EXPECT_FALSE(m.poll(3));
+}
+
 TEST(can_master, sends_one_request_at_a_time_and_takes_the_echo_for_the_reply) {
     can::master<> m(can::master_1);
     ASSERT_TRUE(m.request(can::set_actuator{1, 0, 0, 1}));

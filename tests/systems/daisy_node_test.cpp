@@ -201,6 +201,7 @@ TEST_F(daisy_node, sends_its_last_reply_again_when_that_was_damaged) {
     EXPECT_TRUE(tell(n, m, error).sent.empty()) << "more often than the attempts allow";
     EXPECT_EQ(m.executed, 1) << "carried out once";
     EXPECT_EQ(n.quality().rejections, 4U);
+    EXPECT_EQ(n.quality().retries, 3U);
 }
 
 TEST_F(daisy_node, sends_again_whichever_is_closer_to_what_was_damaged_its_reply_or_its_alarm) {

@@ -579,6 +579,9 @@ TEST(gateway_client, hands_on_what_it_does_not_know_and_tells_what_is_broken) {
     EXPECT_EQ(noise.news, client_news::fault);
     EXPECT_EQ(noise.code, trama::errc::bad_length);
     EXPECT_EQ(noise.skipped, 5U);
+    EXPECT_EQ(c.quality().packets_received, 2U) << "the broken one has come, too";
+    EXPECT_EQ(c.quality().bytes_received, 13U + 23U);
+    EXPECT_EQ(c.quality().bytes_skipped, 5U);
 }
 
 TEST(gateway_cart, is_in_the_phase_that_its_current_order_is_in) {

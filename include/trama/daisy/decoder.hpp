@@ -23,22 +23,31 @@ public:
     /// Takes bytes from the front of `in` and reports one packet or error, or `need_more` with `in` empty.
     /// A packet lying whole in `in` is viewed in place, one that straddles chunks in the decoder's own memory.
     [[gnu::always_inline]] constexpr event next(std::span<const std::uint8_t>& in) noexcept {
-        if (in.size() >= quick_from_) [[likely]] {
-            const auto low = load_le<std::uint64_t>(in.data());
-            const unsigned found = known.find(static_cast<std::uint32_t>(low), in.data());
-            const std::size_t len = in[0];  // a load of its own: the next packet waits for this one only
-            bool whole = false;
-            if (known.is_sized(found, in.data())) [[likely]] whole = known.fold(low, in.data(), len) == 0;
-            else whole = is_variable_landmark(in, catalogue::index_in(found));
-            if (whole) [[likely]] {
-                const auto bytes = in.first(len + 1);
-                in = in.subspan(len + 1);
-                return deliver(bytes, catalogue::index_in(found));
-            }
+        if (const auto front = look(in); front.whole) [[likely]] {
+            const auto packet = in.first(front.size);
+            in = in.subspan(front.size);
+            return deliver(packet, front.index);
         }
         auto slow = advance(in);  // not const: g++ 12 keeps const objects of this size in memory, on the quick path too
         in = slow.rest;
         return slow.event;
+    }
+
+    /// Calls `f(const event&)` for everything that `in` completes. See `trama::read_ahead`.
+    [[gnu::always_inline]] constexpr void read_ahead(std::span<const std::uint8_t> in, auto&& f) {
+        for (;;) {
+            for (auto front = look(in); front.whole && settled();) {
+                const auto packet = in.first(std::size_t{in[0]} + 1);  // rather than from memory or a register
+                in = in.subspan(packet.size());
+                const std::size_t index = front.index;
+                front = look(in);
+                f(deliver(packet, index));
+            }
+            auto slow = advance(in);
+            if (slow.event.code == errc::need_more) return;
+            in = slow.rest;
+            f(slow.event);
+        }
     }
 
     /// The line fell silent: a partial packet is `truncated`, the next byte is a packet's first. Call `next` until it
@@ -64,6 +73,23 @@ public:
 
 private:
     using bytes_in = std::span<const std::uint8_t>;
+
+    struct quick_look {
+        bool whole = false;  ///< The quick path knows that a packet begins here and that its last byte is in.
+        std::size_t size = 0, index = 0;
+    };
+    [[gnu::always_inline]] constexpr quick_look look(bytes_in in) const noexcept {
+        quick_look front;
+        if (in.size() < quick_from_) [[unlikely]] return front;
+        const auto low = load_le<std::uint64_t>(in.data());
+        const unsigned found = known.find(static_cast<std::uint32_t>(low), in.data());
+        const std::size_t len = in[0];  // a load of its own: the next packet waits for this one only
+        front.size = len + 1;
+        front.index = catalogue::index_in(found);
+        if (known.is_sized(found, in.data())) [[likely]] front.whole = known.fold(low, in.data(), len) == 0;
+        else front.whole = is_variable_landmark(in, front.index);
+        return front;
+    }
 
     constexpr std::size_t held() const noexcept { return end_ - begin_; }
     constexpr window bytes(std::span<const std::uint8_t> in) const noexcept { return {{stash_.data() + begin_, held()}, in}; }
