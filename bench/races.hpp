@@ -61,7 +61,8 @@ public:
         if (workload_.is == condition::clean)
             for (const auto& code : traits<F>::by_hand()) add_by_hand(code);
         for (const std::size_t bytes : traits<F>::chunks)
-            if (bytes == 0 || bytes >= 64 || T == task::framing || T == task::typed) add_library(bytes);  // the rest costs the same however it is cut
+            if (bytes == 0 || bytes >= 64 || T == task::framing || T == task::typed) add_library("trama", bytes, timed(T), by_library<F, T, true>);  // the rest costs the same however it is cut
+        if constexpr (T == task::typed && requires { traits<F>::typed_ahead(); }) add_library("trama, read_ahead", 0, traits<F>::typed_ahead(), typed<F, true, false, true>);
         if (T == task::selected) add_comparison("trama, framing alone", stream_, task::framing);
         if (workload_.is != condition::clean) add_comparison(traits<F>::clean_name, stream_of(clean, bytes_), T);
     }
@@ -94,15 +95,15 @@ private:
         answer(whole_stream, code.name, "whole", [s = stream_, proof = proof] { return proof(s->data); });
         if (out_of_range_) answer("values out of range", code.name, "whole", [s = out_of_range_, proof = proof] { return proof(s->data); });
     }
-    void add_library(std::size_t bytes) {
+    void add_library(const char* name, std::size_t bytes, library_task<F> run, library_task<F> proof) {
         const std::string chunk_is = chunk_name(bytes);
         const std::size_t chunk = bytes == 0 ? 0 : std::max<std::size_t>(1, bytes / unit);
-        race_.contenders.push_back({"trama", chunk_is, role::library, size(), messages_, [s = stream_, chunk, run = timed(T)] { return run(s->data, chunk); }});
-        answer(whole_stream, "trama", chunk_is, [s = stream_, chunk] { return by_library<F, T, true>(s->data, chunk); });
-        if (out_of_range_) answer("values out of range", "trama", chunk_is, [s = out_of_range_, chunk] { return by_library<F, T, true>(s->data, chunk); });
+        race_.contenders.push_back({name, chunk_is, role::library, size(), messages_, [s = stream_, chunk, run] { return run(s->data, chunk); }});
+        answer(whole_stream, name, chunk_is, [s = stream_, chunk, proof] { return proof(s->data, chunk); });
+        if (out_of_range_) answer("values out of range", name, chunk_is, [s = out_of_range_, chunk, proof] { return proof(s->data, chunk); });
         for (const auto& heard : by_reference_)
-            answer(heard.question, "trama", chunk_is, [heard, chunk] {
-                const tally t = by_library<F, T, true>(heard.in, chunk);
+            answer(heard.question, name, chunk_is, [heard, chunk, proof] {
+                const tally t = proof(heard.in, chunk);
                 return tally{t.messages, T == task::framing ? t.sum : 0, t.errors};
             });
     }

@@ -11,7 +11,7 @@ constexpr const char* clean_daisy = "trama, clean random mix";
 
 constexpr target all_targets[] = {
     {"daisy framing + CRC, x bare LEN walk", "daisy", "random mix", "framing", "trama", "whole", "LEN walk", false, 1.6, 1.25},
-    {"daisy typed, in-order visitor, random mix, x walk", "daisy", "random mix", "typed", "trama", "whole", "LEN walk", false, 11, 6},
+    {"daisy typed, in-order visitor, random mix, x walk", "daisy", "random mix", "typed", "trama, read_ahead", "whole", "LEN walk", false, 11, 6},
     {"daisy typed, in-order visitor, periodic traffic, x walk", "daisy", "periodic", "typed", "trama", "whole", "LEN walk", false, 4, 3},
     {"daisy garbage, ns per byte / clean framing", "daisy", "garbage", "framing", "trama", "whole", clean_daisy, false, 8, 3},
     {"daisy hostile stream, ns per byte / clean framing", "daisy", "hostile", "framing", "trama", "whole", clean_daisy, false, 8, 3},

@@ -35,7 +35,7 @@ void each_chosen_word(const M& m, auto&& f) {
     }
 }
 
-/// Feeds `in` in pieces of `chunk` units (0: whole) and calls `f(event)` for everything that comes out.
+/// Feeds `in` in pieces of `chunk` units (0: whole) and calls `f(event)` for everything that comes out, by `read` or `read_ahead`.
 template <class F, bool Ahead = false>
 [[gnu::always_inline]] inline void drive(unit_span<F> in, std::size_t chunk, auto&& f) {
     typename F::decoder decoder;
@@ -64,10 +64,10 @@ tally framing(unit_span<F> in, std::size_t chunk) {
 }
 
 /// Finds the packets and hands each typed message to a visitor that reads all of its fields, in order.
-template <class F, bool Ordered, bool Validate>
+template <class F, bool Ordered, bool Validate, bool Ahead = false>
 tally typed(unit_span<F> in, std::size_t chunk) {
     account<Ordered> a;
-    drive<F, true>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
+    drive<F, Ahead>(in, chunk, [&](const auto& event) __attribute__((always_inline)) {
         if (!event) return a.error(event.length, static_cast<std::uint64_t>(event.code));
         const error e = visit<F>(event.packet, [&]<class M>(const M& m) __attribute__((always_inline)) {
             bool good = true;

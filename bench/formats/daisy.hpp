@@ -21,6 +21,7 @@ struct traits<daisy::format> {
     static void add_limits(race& r, const shared_stream<daisy::format>& s, task t, bool clean);
     /// The library, as it is timed.
     static std::array<library_task<daisy::format>, std::size(all_tasks)> library();
+    static library_task<daisy::format> typed_ahead();
     /// The typical code and the good one.
     static std::span<const by_hand_code<daisy::format>> by_hand();
     static void damage(std::uint8_t& b, dice& d) { b = static_cast<std::uint8_t>(b ^ 1U << d.below(8)); }
