@@ -133,7 +133,8 @@ template <wire_format F>
 }
 
 /// As `read`, for an `f` that takes another way for each kind of message: a decoder that can tells the kind of the packet behind
-/// before it calls `f`, so that the processor sooner finds out which way is next. `f` is compiled twice.
+/// before it calls `f`, so that the processor sooner finds out which way is next. `f` is compiled twice; like that of `read` it may
+/// call anything of the decoder but `next`.
 template <wire_format F>
 [[gnu::always_inline]] constexpr void read_ahead(typename F::decoder& decoder, std::span<const typename F::unit> in, auto&& f) {
     if constexpr (requires { decoder.read_ahead(in, f); }) decoder.read_ahead(in, f);
