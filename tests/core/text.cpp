@@ -81,7 +81,6 @@ TEST(text, a_bounded_list_takes_what_it_has_room_for) {
     EXPECT_FALSE(list.push_back(4));
 }
 
-// Two lists in one function, made where they are used: of those clang 14 made no code while their constructor was consteval.
 TEST(text, bounded_lists_compare_what_they_hold) {
     bounded_list<std::uint16_t, 3> list{1, 2};
     list.count = 1;
