@@ -1,5 +1,6 @@
 #include "can.hpp"
 
+#include "hostile.hpp"
 #include "races.hpp"
 
 namespace trama::bench {
@@ -56,20 +57,7 @@ stream<F> garbage(std::size_t bytes) {
     }
     return s;
 }
-/// First frames of messages that never go on: each breaks off the one before it, on three identifiers in turn.
-stream<F> hostile(std::size_t bytes) {
-    stream<F> s;
-    dice d(26);
-    s.data.resize(bytes / sizeof(can::frame));
-    for (std::size_t i = 0; i != s.data.size(); ++i) {
-        can::frame& f = s.data[i];
-        f.id = static_cast<std::uint32_t>(0x80 + i % 3);
-        f.length = 8;
-        for (std::uint8_t& b : f.data) b = static_cast<std::uint8_t>(d.next());
-        f.data[2] = d.one_in(2) ? 'R' : 'C';  // which are followed by 4 and by 2 bytes
-    }
-    return s;
-}
+stream<F> hostile(std::size_t bytes) { return {hostile_can(bytes / sizeof(can::frame))}; }
 
 }  // namespace
 

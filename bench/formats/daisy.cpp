@@ -1,5 +1,6 @@
 #include "daisy.hpp"
 
+#include "hostile.hpp"
 #include "races.hpp"
 
 namespace trama::bench {
@@ -34,16 +35,7 @@ stream<F> garbage(std::size_t bytes) {
     for (auto& b : s.data) b = static_cast<std::uint8_t>(d.next());
     return s;
 }
-/// What makes a hunting decoder work hardest: headers of the longest texts, one after the other, and none of them intact.
-stream<F> hostile(std::size_t bytes) {
-    stream<F> s;
-    dice d(6);
-    while (s.data.size() < bytes) {
-        const std::array<std::uint8_t, 4> header{static_cast<std::uint8_t>(250 + d.below(6)), 0x00, static_cast<std::uint8_t>(d.below(0x60)), static_cast<std::uint8_t>(0x81 + d.below(2))};
-        s.data.insert(s.data.end(), header.begin(), header.end());
-    }
-    return s;
-}
+stream<F> hostile(std::size_t bytes) { return {hostile_daisy(bytes)}; }
 
 }  // namespace
 

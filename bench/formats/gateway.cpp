@@ -1,4 +1,5 @@
 #include "gateway_records.hpp"
+#include "hostile.hpp"
 #include "races.hpp"
 
 namespace trama::bench {
@@ -25,13 +26,7 @@ stream<F> garbage(std::size_t bytes) {
     for (auto& b : s.data) b = static_cast<std::uint8_t>(d.next());
     return s;
 }
-/// Records that begin over and over and never end.
-stream<F> hostile(std::size_t bytes) {
-    stream<F> s;
-    s.data.resize(bytes);
-    for (std::size_t i = 0; i != bytes; ++i) s.data[i] = static_cast<std::uint8_t>("\002200"[i % 4]);
-    return s;
-}
+stream<F> hostile(std::size_t bytes) { return {hostile_gateway(bytes)}; }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <random>
@@ -91,11 +92,16 @@ private:
     std::map<std::string, std::string> values_;
 };
 
-/// A file that everything sent over a line goes into; nothing when no path is given.
+/// A file that everything sent over a line goes into, its folder made if there is none; nothing when no path is given.
 class capture {
 public:
-    explicit capture(const std::string& path) : file_(path.empty() ? nullptr : std::fopen(path.c_str(), "wb")) {
-        if (!path.empty() && file_ == nullptr) die(path);
+    explicit capture(const std::filesystem::path& path) {
+        if (path.empty()) return;
+        std::error_code failed;
+        if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failed);
+        if (!failed) file_ = std::fopen(path.c_str(), "wb");
+        else errno = failed.value();
+        if (file_ == nullptr) die(path.string());
     }
     capture(const capture&) = delete;
     capture& operator=(const capture&) = delete;
@@ -109,7 +115,7 @@ public:
     void line(const std::string& text) { write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
 
 private:
-    std::FILE* file_;
+    std::FILE* file_ = nullptr;
 };
 
 /// Odds of damage: one in so many bytes or frames; 0 is never.

@@ -1,6 +1,6 @@
 #pragma once
-// What the laws need to know of a format beyond the wire_format concept: each of daisy.hpp, can.hpp and
-// gateway.hpp beside this file specialises `subject`. What is the same in all tests of a format is compiled once, in tests/subjects/.
+// What the laws need to know of a format beyond the wire_format concept: each of daisy_subject.hpp, can_subject.hpp
+// and gateway_subject.hpp beside this file specialises `subject`. What is the same in all tests of a format is compiled once, in tests/subjects/.
 
 #include <array>
 #include <span>
