@@ -85,14 +85,15 @@ class sight {
 
   // The packet at q has not come whole. If it holds a whole landmark of at most 22 bytes, nobody waits for it, unless it
   // may become an error whose rejected packet has the right length. A landmark that may yet come whole is waited for.
-  bool worth_waiting_for(std::size_t q, std::size_t end) const {
+  // Packets for which `accepted` holds do not count.
+  bool worth_waiting_for(std::size_t q, std::size_t end, auto&& accepted) const {
     constexpr std::size_t longest_short = 22;
     for (std::size_t inner = q + 1; inner < end; ++inner) {
       const header begun = documented_header(inner, end);
       if (begun == header::possible) return true;
       if (begun == header::impossible || packet_end(inner) - inner > longest_short) continue;
       if (!complete(inner, end)) return true;
-      if (landmark(inner, end)) return at(q + 3) == 0x04 && q + 5 < end && at(q + 5) + 7U == at(q);
+      if (!accepted(inner) && landmark(inner, end)) return at(q + 3) == 0x04 && q + 5 < end && at(q + 5) + 7U == at(q);
     }
     return true;
   }
@@ -153,28 +154,37 @@ class stretch {
     if (end_ - p_ >= 4 && seen_.impossible_length(p_, end_)) return lose_step("bad_length");
     if (!seen_.complete(p_, end_)) return lose_step("truncated");
     if (seen_.xor_over(p_, seen_.packet_end(p_)) != 0) return lose_step("bad_checksum");
-    if (seen_.landmark(p_, end_)) {
-      if (hunter_active_) (void)shadow_finds(rank::landmark);
-      vouched_ = true;
-      return accept();
+    const rank judged = rank_of_packet();
+    if (!hunter_active_ && judged != rank::landmark) {
+      watch_from(p_ + 1);
+      trust_ = vouched_ ? most_trust : 0;
     }
-    if (!hunter_active_) {
-      hunter_active_ = true;
-      s_ = p_ + 1;
-    }
-    const rank judged = seen_.documented_packet(p_, end_) ? rank::documented : rank::undocumented;
-    const bool found = shadow_finds(judged);
-    if (found && (judged == rank::undocumented || !vouched_)) return lose_step("noise");
-    vouched_ = false;
+    bool found = false;
+    if (hunter_active_) found = shadow_finds(judged);
+    if (judged == rank::undocumented && (found || doubted_ || (chain_ > 0 && s_ < p_))) return lose_step_to_the_chain();
+    if (judged == rank::documented && found && !vouched_ && trust_ <= chain_) return lose_step_to_the_chain();
+    doubted_ = judged == rank::documented && found;
+    vouched_ = judged == rank::landmark;
+    trust_ = judged == rank::undocumented ? 0 : trusted(trust_ + seen_.packet_end(p_) - p_);
     accept();
   }
 
   // How much a packet says about the phase it was found in.
   enum class rank { undocumented, documented, landmark };
 
-  // The packet at q, which is complete, is evidence against accepting one of rank `judged`.
-  bool evidence(std::size_t q, std::size_t end, rank judged) const {
-    return judged == rank::undocumented ? seen_.acceptable_while_hunting(q, end) : seen_.landmark(q, end);
+  // More does not count, of trust in this phase and of the other one's chain.
+  static constexpr std::size_t most_trust = 768;
+  static std::size_t trusted(std::size_t bytes) { return std::min(bytes, most_trust); }
+
+  rank rank_of_packet() const {
+    if (seen_.landmark(p_, end_)) return rank::landmark;
+    return seen_.documented_packet(p_, end_) ? rank::documented : rank::undocumented;
+  }
+
+  void watch_from(std::size_t place) {
+    hunter_active_ = true;
+    chain_ = 0;
+    s_ = place;
   }
 
   void accept() {
@@ -187,34 +197,39 @@ class stretch {
   // The shadow hunter works on all bytes up to the end of the packet at p_; tells whether it found any.
   bool shadow_finds(rank judged) {
     const std::size_t seen_end = seen_.packet_end(p_);
+    const auto accepted = [&](std::size_t q) { return q == p_ || accepted_.contains(q); };
     bool found = false;
     while (s_ < seen_end) {
-      if (s_ == p_) {
-        if (judged == rank::landmark) {
-          hunter_active_ = false;
-          return found;
-        }
+      if (s_ == p_ && judged == rank::landmark && vouched_) {
+        hunter_active_ = false;  // two landmarks in a row, and nothing begins in the first one
+        return found;
+      }
+      const sight::header header = seen_.documented_header(s_, seen_end);
+      if (header == sight::header::possible && s_ != p_) return found;  // waits for more bytes
+      const bool begun = header == sight::header::documented && !seen_.complete(s_, seen_end);
+      if (begun && seen_.worth_waiting_for(s_, seen_end, accepted)) return found;
+      if (accepted(s_) || !seen_.acceptable_while_hunting(s_, seen_end)) {
+        chain_ = 0;
         ++s_;
         continue;
       }
-      const sight::header header = seen_.documented_header(s_, seen_end);
-      if (header == sight::header::impossible) {
-        ++s_;
-      } else if (header == sight::header::possible) {
-        return found;  // waits for more bytes
-      } else if (!seen_.complete(s_, seen_end)) {
-        if (seen_.worth_waiting_for(s_, seen_end)) return found;
-        ++s_;
-      } else if (!evidence(s_, seen_end, judged)) {
-        ++s_;
-      } else if (accepted_.contains(s_)) {
-        s_ = p_;
-      } else {
-        s_ = seen_.packet_end(s_);
-        found = true;
-      }
+      if (judged == rank::undocumented || seen_.landmark(s_, seen_end)) found = true;
+      link_ = s_;
+      s_ = seen_.packet_end(s_);
+      chain_ = trusted(chain_ + s_ - link_);
     }
     return found;
+  }
+
+  // Refuses the packet at p_. If packets of the shadow's chain reach over its start, they are those to go on with: no
+  // packet of theirs that has begun can still be had, so the hunt begins behind the one that reaches over p_.
+  void lose_step_to_the_chain() {
+    const std::size_t over = s_ > p_ ? link_ : s_;
+    if (chain_ > 0 && over < p_ && seen_.documented_packet(over, end_) && seen_.packet_end(over) > p_ + 1) {
+      hunt({p_, 0, "noise"}, seen_.packet_end(over), most_trust);
+    } else {
+      lose_step("noise");
+    }
   }
 
   void lose_step(const std::string& code) {
@@ -228,29 +243,33 @@ class stretch {
   }
 
   // Ends in step behind the leftmost acceptable packet, or at the end of the stretch.
-  void hunt(daisy_event loss, std::size_t from) {
+  // `trust`: in the packet that begins at `from`, if there is one.
+  void hunt(daisy_event loss, std::size_t from, std::size_t trust = 0) {
     hunter_active_ = false;
     vouched_ = false;
+    doubted_ = false;
     std::size_t q = from;
     while (q < end_ && !seen_.acceptable_while_hunting(q, end_)) ++q;
-    if (q >= end_) return report_rest(loss);
+    if (q >= end_) return report_rest(loss, from);
     report(loss, q);
     p_ = q;
     vouched_ = seen_.landmark(q, end_);
+    trust_ = trusted((q == from ? trust : 0) + seen_.packet_end(q) - q);
+    watch_from(q + 1);
     accept();
   }
 
-  // Nothing acceptable is left: says whether a packet was cut off by the end.
-  void report_rest(const daisy_event& loss) {
+  // Nothing acceptable is left from `from` on: says whether a packet was cut off by the end.
+  void report_rest(const daisy_event& loss, std::size_t from) {
     p_ = end_;
-    const std::optional<std::size_t> cut = cut_off_packet(loss);
+    const std::optional<std::size_t> cut = cut_off_packet(loss, from);
     if (loss.error == "truncated" || !cut) return report(loss, end_);
     report(loss, *cut);
     report({*cut, 0, "truncated"}, end_);
   }
 
-  std::optional<std::size_t> cut_off_packet(const daisy_event& loss) const {
-    for (std::size_t c = loss.offset; c < end_; ++c) {
+  std::optional<std::size_t> cut_off_packet(const daisy_event& loss, std::size_t from) const {
+    for (std::size_t c = from; c < end_; ++c) {
       const sight::header header = seen_.documented_header(c, end_);
       if (header == sight::header::documented && !seen_.complete(c, end_)) return c;
       const bool noise_from_here = loss.error == "noise" && c == loss.offset;
@@ -270,8 +289,12 @@ class stretch {
   std::size_t end_;
   std::vector<daisy_event>& events_;
   bool vouched_ = false;  // the packet accepted last was a landmark
+  bool doubted_ = false;  // the packet accepted last was believed for the landmark before it only
+  std::size_t trust_ = 0;  // bytes of documented packets accepted in a row, while the shadow hunter works
   bool hunter_active_ = false;
   std::size_t s_ = 0;
+  std::size_t chain_ = 0;  // bytes of the packets in a row, of another phase, that end at s_
+  std::size_t link_ = 0;   // where the last one begins
   std::set<std::size_t> accepted_ = {};
 };
 

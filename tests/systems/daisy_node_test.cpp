@@ -270,6 +270,25 @@ TEST_F(daisy_node, takes_silence_for_the_end_of_a_packet) {
     EXPECT_EQ(tell(n, m, get_encoder, 62).sent, encoder_reply);
 }
 
+/// The decoder has nothing to give back then, and is told all the same where the next packet begins.
+TEST_F(daisy_node, takes_silence_for_the_end_of_whatever_it_did_not_hear) {
+    const octets undefined = with_crc({4, 0x11, 0x00, 0x55});
+    EXPECT_EQ(tell(n, m, undefined, 10).sent, octets{}) << "it may be the rest of a packet";
+    board fresh(daisy::board(1, 1), "motor");
+    tell(fresh, m, {}, 60);
+    EXPECT_EQ(tell(fresh, m, undefined, 70).sent, with_crc({5, 0x00, 0x11, 0x04, 0x01}));
+}
+
+/// The last byte of one and the head of the other read as a ping; the pause tells that they are none.
+TEST_F(daisy_node, takes_silence_for_the_end_of_what_two_undocumented_packets_seem_to_be_together) {
+    settle();
+    const octets first = with_crc({6, 0x77, 0x70, 0x55, 0x01, 0x51}), second = with_crc({16, 0x00, 0x03, 0x17, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    ASSERT_EQ(first.back(), 0x04);
+    ASSERT_EQ(0x04 ^ second[0] ^ second[1] ^ second[2] ^ second[3], 0);
+    EXPECT_EQ(tell(n, m, first, 10).sent, first);
+    EXPECT_EQ(tell(n, m, second, 70).sent, second);
+}
+
 TEST(daisy_node_guard, removes_what_comes_by_twice_when_told_to) {
     daisy::timing t;
     t.orphan = 100;

@@ -150,6 +150,7 @@ private:
     bool hunting_ = true;
     bool draining_ = false;  ///< The input ended: what is kept is all there is.
     bool certain_ = false;   ///< The hunt has accepted the packet at the front.
+    bool resumed_ = false;   ///< The hunt is where a promise led.
     errc code_ = errc::noise;
     phase_judge phase_{};
     std::size_t begin_ = 0, end_ = 0;  ///< The kept bytes in the stash.
@@ -157,6 +158,7 @@ private:
     std::size_t skipped_ = 0;   ///< Bytes of the loss of step so far.
     std::size_t rejected_ = 0;  ///< Size of the packet with the bad CRC.
     std::size_t probe_ = 0;
+    phase_judge::verdict promise_{};  ///< Where the hunt may begin.
     std::uint64_t offset_ = 0;
     trama::counters counters_{};
     std::array<std::uint8_t, max_packet> stash_{};

@@ -24,8 +24,7 @@ constexpr event decoder::slow_next(bytes_in& in) noexcept {
         auto& source = draining_ ? none : in;
         const event e = hunting_ ? hunt(source) : step(source);
         if (e.code != errc::ok || e.length != 0) {
-            const bool steady = !hunting_ && !draining_ && !certain_ && held() == release_ && phase_.settled();
-            quick_from_ = steady ? readable : never_quick;
+            if (!hunting_ && !draining_ && !certain_ && held() == release_ && phase_.settled()) quick_from_ = readable;
             return e;
         }
     }
@@ -73,8 +72,9 @@ constexpr event decoder::step(bytes_in& in) noexcept {
     const standing s = !documented ? standing::undocumented : recovery::is_landmark(whole, index) ? standing::landmark : standing::documented;
     if (certain_) {
         certain_ = false;
-        if (s == standing::landmark) phase_.confirm();
-    } else if (!phase_.accepts(whole, s, scratch_)) {
+        phase_.begin(whole, s, std::exchange(resumed_, false), scratch_);
+    } else if (const auto verdict = phase_.judge(whole, s, scratch_); !verdict.accepted) {
+        promise_ = verdict;
         return fault(errc::noise, in);
     }
     if (held() != 0) release_ = size;
@@ -91,10 +91,10 @@ constexpr std::span<const std::uint8_t> decoder::gather(std::size_t size, bytes_
 
 /// Nothing is at hand while in step.
 constexpr event decoder::rest() noexcept {
-    if (draining_) { phase_.reset(); certain_ = false; }
-    const bool more = draining_;
-    draining_ = false;
-    return more ? detail::nothing() : event{};
+    if (!draining_) return {};
+    draining_ = certain_ = false;
+    phase_.reset();
+    return detail::nothing();
 }
 
 constexpr event decoder::wait(bytes_in& in) noexcept {
@@ -143,9 +143,17 @@ constexpr void decoder::skip(std::size_t n, bytes_in& in) noexcept {
 
 constexpr event decoder::hunt(bytes_in& in) noexcept {
     const window w = bytes(in);
+    if (promise_.resume != 0) {
+        if (w.size() < promise_.resume && !draining_) return wait(in);
+        resumed_ = w.size() >= promise_.resume && w.xor_of(0, promise_.resume) == promise_.sum;
+        if (resumed_) skip(promise_.resume, in);
+        promise_ = {};
+        return detail::nothing();
+    }
     const recovery::finding f = draining_ ? recovery::hunt_last(w) : recovery::hunt(w, probe_);
     if (!f.found && draining_) return drain(in);
     skip(f.at, in);
+    resumed_ = resumed_ && f.at == 0;
     if (!f.found) return wait(in);
     hunting_ = false;
     certain_ = true;
@@ -166,7 +174,7 @@ constexpr event decoder::drain(bytes_in& in) noexcept {
         code_ = errc::truncated;
         skip(w.size() - cut, in);
     }
-    hunting_ = false;
+    hunting_ = resumed_ = false;
     return skipped_ != 0 ? report() : detail::nothing();
 }
 

@@ -84,7 +84,7 @@ public:
 
     constexpr event next(std::span<const std::uint8_t>& in, std::uint64_t now, link_quality& line) noexcept {
         const bool silent = idle_ != 0 && elapsed(last_, now) > idle_;
-        if (silent && decoder_.pending() != 0) decoder_.idle();
+        if (silent) decoder_.idle();  // also with nothing pending: what comes next begins a packet
         if (!in.empty() || silent) last_ = now;
         const event e = decoder_.next(in);
         if (e.code == errc::ok || e.code == errc::unknown_message) line.received(e.length, now);
