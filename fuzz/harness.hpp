@@ -1,5 +1,5 @@
 #pragma once
-// The properties that fuzzing tries to break, written once for every wire format. A target is five lines; see fuzz/targets/.
+// The properties that fuzzing tries to break, written once for every wire format. A target is a few lines; see fuzz/targets/.
 #include <cstring>
 
 #include "census.hpp"

@@ -10,7 +10,7 @@ from .libfuzzer import MAX_LENGTH, merge_command
 
 
 def group(source, name):
-    """Targets of one group read the same kind of input, so they feed each other: daisy_stream and daisy_decode do, daisy_text does not."""
+    """Targets of one group read the same kind of input, so they feed each other: daisy_stream and daisy_roundtrip do, daisy_decode and daisy_text do not."""
     return name if (source / "fuzz" / "corpus" / name).is_dir() else name.split("_")[0]
 
 
