@@ -74,11 +74,11 @@ constexpr bool is_acceptable(const window& w, std::size_t at) noexcept { return 
 /// candidate that it lies in can then be given up at once instead of when its last byte has come.
 constexpr bool find_short_landmark(const window& w, std::size_t& probe) noexcept {
     for (; (probe = next_candidate(w, probe)) < w.size(); ++probe) {
-        const std::size_t left = w.size() - probe;
+        const std::size_t left = w.size() - probe, size = std::size_t{w[probe]} + 1;
+        if (size > longest_short) continue;
         const header h = judge_header(w, probe, std::min<std::size_t>(left, header_size + 1));
         if (h == header::unclear) return false;
-        const std::size_t size = std::size_t{w[probe]} + 1;
-        if (h != header::documented || size > longest_short) continue;
+        if (h != header::documented) continue;
         if (size > left || left <= header_size) return false;
         if (w.xor_of(probe, size) == 0 && is_landmark_at(w, probe)) return true;
     }
