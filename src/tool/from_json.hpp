@@ -112,7 +112,8 @@ private:
     }
     template <class W, class V>
     bool store_flags(const json_value& v, V& out) {
-        if (v.type != json_value::kind::array) return store_enum<W>(v, out, printed_range<W>());
+        if (v.type == json_value::kind::number) return store_enum<W>(v, out, printed_range<W>());
+        if (v.type != json_value::kind::array) return fail("an array of names or a number is needed");
         std::uint64_t bits = 0;
         for (const json_value& item : v.items) {
             V one{};

@@ -90,7 +90,7 @@ class Candump(ToolCase):
         good = can_log(READ).decode().strip()
         self.assertEqual(len(self.decode("can", good.encode())), 1)
         for bad in ("081#0207410000000000_8", "081#0207410000000000_", "081#0207410000000000_9x", "081#0207_9", "081#020", "081#02074", "081#0g", "081#g0",
-                    "081#020741000000000000", "081", "81#02", "0811#02", "081##", "081##g", "081##0020", "081#R9", "081#RR", "08g#02", "#02", "800#02", "000000811#02"):
+                    "081#020741000000000000", "081", "81#02", "0811#02", "081##", "081##g", "081##0020", "081##102030405060708_F", "081#R9", "081#RR", "08g#02", "#02", "800#02", "000000811#02"):
             self.assertEqual(self.decode("can", can_log(bad), status=1), ['{"protocol":"can","line":1,"error":"bad_line"}'], bad)
         for line in ("", "x", "(1.0)", "(1.0) can0", "(1.0) can0 " + READ + " Q", "(1.0) can0 " + READ + " R x", "1.0 can0 " + READ, "(1) can0 " + READ,
                      "(.5) can0 " + READ, "(1.) can0 " + READ, "(1.0x) can0 " + READ, "(-1.0) can0 " + READ, "() can0 " + READ, "(1.0 can0 " + READ):

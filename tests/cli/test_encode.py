@@ -163,6 +163,10 @@ class Values(ToolCase):
             out, _ = self.encode("gateway", gateway("cart_state", cart_status=status))
             self.assertEqual(out[14:18], f"{number:4}".encode())
 
+    def test_bits_are_an_array_or_a_number(self):
+        self.assertEqual(self.encode("gateway", gateway("cart_state", cart_status=192))[0][14:18], b" 192")
+        self.encode_refuses("gateway", gateway("cart_state", cart_status="busy"), "cart_status: an array of names or a number is needed")
+
     def test_decimals(self):
         for number, column in (("48.2", b" 48.2"), ("48", b" 48.0"), ("0.5", b"  0.5"), ("999.9", b"999.9"), ("0", b"  0.0")):
             line = '{"message":"circuit_state","fields":{"circuit_voltage":' + number + "}}"

@@ -80,9 +80,9 @@ std::optional<log_frame> parse_candump(std::string_view line) {
   if (!time || sharp == std::string::npos) return std::nullopt;
   const std::string id = parts[2].substr(0, sharp);
   std::string data = parts[2].substr(sharp + 1);
-  // A DLC of 9 to 15 stands behind the eight bytes that it means, or behind "R8".
+  // A DLC of 9 to 15 stands behind the eight bytes that it means, or behind "R8"; FD frames have none.
   const std::size_t n = data.size();
-  const bool eight = n == 18 || (n == 4 && data[0] == 'R' && data[1] == '8');
+  const bool eight = (n == 18 && data[0] != '#') || (n == 4 && data[0] == 'R' && data[1] == '8');
   if (eight && data[n - 2] == '_' && is_hex(data[n - 1]) && (data[n - 1] == '9' || !is_digit(data[n - 1]))) data.resize(n - 2);
   if ((id.size() != 3 && id.size() != 8) || !all_hex(id)) return std::nullopt;
 
