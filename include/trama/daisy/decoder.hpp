@@ -17,7 +17,8 @@ struct event : basic_event<packet> {
 /// it takes every packet with a good CRC, undocumented ones as `unknown_message`, as long as nothing speaks for another
 /// phase. A fault is one event, which covers everything up to the next packet accepted.
 ///
-/// Bound: an intact documented packet that begins 256 bytes or more after the last damaged byte is delivered.
+/// Bound: an intact documented packet that begins 256 bytes or more after the last damaged byte is delivered. Where the
+/// bytes after the damage read as packets in another phase as well, docs/daisy.md says what holds.
 class decoder {
 public:
     /// Takes bytes from the front of `in` and reports one packet or error, or `need_more` with `in` empty.
