@@ -14,11 +14,7 @@ using test::octets;
 
 const octets ping{0x04, 0x11, 0x00, 0x03, 0x16}, odd = test::sealed(0x10, 0x00, 0x7E, {});
 
-octets operator*(const octets& one, std::size_t times) {
-    octets all;
-    for (std::size_t i = 0; i != times; ++i) test::append(all, one);
-    return all;
-}
+octets operator*(const octets& one, std::size_t times) { return test::repeated(one, times); }
 octets operator+(octets a, const octets& b) {
     test::append(a, b);
     return a;

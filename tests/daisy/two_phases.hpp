@@ -138,17 +138,11 @@ inline bool reads_as_documented(const octets& stream, std::size_t at, std::size_
     return true;
 }
 
-inline octets repeated(const octets& one, std::size_t times) {
-    octets all;
-    for (std::size_t i = 0; i != times; ++i) all.insert(all.end(), one.begin(), one.end());
-    return all;
-}
-
 /// A stream that nobody could decide about: more than one phase is documented all through, or a true text holds a
 /// documented message of fixed size.
 inline bool is_undecidable(const two_phases& t) {
     const std::size_t period = t.period.size();
-    const octets stream = repeated(t.period, 1 + 3 * max_packet * 2 / period + 2);
+    const octets stream = repeated(t.period, 6 * max_packet / period + 3);
     for (std::size_t at = 0; at != period; ++at) {
         const bool true_place = std::any_of(t.truth.begin(), t.truth.end(), [&](const place& p) { return p.at == at; });
         if (!true_place && reads_as_documented(stream, at, stream.size() - 2 * max_packet)) return true;

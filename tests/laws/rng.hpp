@@ -10,6 +10,12 @@ namespace trama::test {
 
 using octets = std::vector<std::uint8_t>;
 
+inline octets repeated(const octets& one, std::size_t times) {
+    octets all;
+    for (; times != 0; --times) all.insert(all.end(), one.begin(), one.end());
+    return all;
+}
+
 /// A splitmix64 generator.
 class rng {
 public:

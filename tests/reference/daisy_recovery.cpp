@@ -205,7 +205,7 @@ class stretch {
         return found;
       }
       const sight::header header = seen_.documented_header(s_, seen_end);
-      if (header == sight::header::possible && s_ != p_) return found;  // waits for more bytes
+      if (header == sight::header::possible) return found;  // waits for more bytes
       const bool begun = header == sight::header::documented && !seen_.complete(s_, seen_end);
       if (begun && seen_.worth_waiting_for(s_, seen_end, accepted)) return found;
       if (accepted(s_) || !seen_.acceptable_while_hunting(s_, seen_end)) {

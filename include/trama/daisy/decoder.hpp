@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "trama/daisy/phase.hpp"
 
 namespace trama::daisy {

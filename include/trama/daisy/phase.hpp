@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "trama/daisy/recovery.hpp"
 
 namespace trama::daisy {
@@ -36,8 +34,7 @@ public:
 
     /// Begins with the first packet after a fault. `resumed`: it was announced by the verdict before.
     constexpr void begin(std::span<const std::uint8_t> packet, standing s, bool resumed, history& past) noexcept {
-        watch();
-        trust_ = resumed ? most_trust : 0;
+        watch(resumed ? most_trust : 0);
         accept(window({}, packet), packet, s, past);
     }
     /// Whether the decoder may accept `packet`, which is intact. Landmarks always are.
@@ -48,8 +45,7 @@ public:
                 vouched_ = true;
                 return {};
             }
-            watch();
-            trust_ = vouched_ ? most_trust : 0;
+            watch(vouched_ ? most_trust : 0);
         }
         const window w({past.data(), size_}, packet);
         const bool contradicted = search(w, s);
@@ -62,10 +58,10 @@ public:
 private:
     static constexpr std::size_t most_trust = 3 * max_packet;
 
-    constexpr void watch() noexcept {
+    constexpr void watch(std::size_t trust) noexcept {
         watching_ = true;
-        chain_ = trust_ = 0;
-        size_ = boundary_ = 0;
+        trust_ = trust;
+        chain_ = size_ = boundary_ = 0;
         at_ = probe_ = 1;
     }
     /// One find is enough to refuse an undocumented packet, and so is a chain that reaches over its start: its landmarks
