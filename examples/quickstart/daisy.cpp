@@ -16,7 +16,7 @@ int main() {
     for (auto event = decoder.next(in); event.code != errc::need_more; event = decoder.next(in)) {
         if (const auto reply = decode<daisy::dc_motor::get_encoder_reply>(event.packet))
             std::printf("board %02x: %d counts\n", event.packet.envelope().source.octet, reply->count);
-        else
+        else if (!event)
             std::printf("%s at %llu\n", name_of(event.code).data(), static_cast<unsigned long long>(event.offset));
     }
 }
