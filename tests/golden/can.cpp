@@ -24,7 +24,7 @@ constexpr define_function interval(moment start, moment end) { return {1, 1, fun
 constexpr define_function sensors(function f, std::uint8_t count, std::array<std::uint8_t, 4> ids = {}) { return {1, 1, f, {}, {}, count, ids}; }
 constexpr define_function timed(function f, std::uint8_t count) { return {1, 1, f, first_moment, first_moment, count, {}}; }
 
-constexpr std::tuple limits{
+constexpr table limits{
     good(read_sensors{0, 0}), good(read_sensors{255, 200}),
     bad(read_sensors{1, 201}, broken{"message_id", 201, "0..200"}), bad(read_sensors{1, 255}, broken{"message_id", 255, "0..200"}),
     bad(read_actuator{1, 201, 0}, broken{"message_id", 201, "0..200"}), good(read_actuator{255, 200, 255}),

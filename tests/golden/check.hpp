@@ -47,7 +47,7 @@ void check_rows(const Table& table) {
 /// All rows one after the other, cut in two at every place and into chunks of every size up to 300: the same events.
 template <class Table>
 void check_stream(const Table& table) {
-    using first = std::remove_cvref_t<decltype(std::get<0>(table))>;
+    using first = std::remove_cvref_t<decltype(slot_at<0>(table.list))>;
     using F = typename first::format;
     std::vector<typename F::unit> stream;
     std::size_t rows = 0;

@@ -11,7 +11,7 @@ using namespace golden::daisy_battery;
 static_assert(covers<daisy::battery_controller::messages>(rows));
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(get_battery_value_reply{0}), allowed(get_battery_value_reply{0x3FF}),
     refused(get_battery_value_reply{0x400}, broken{"value", 1024, "0..1023"}), refused(get_battery_value_reply{0xFFFF}, broken{"value", 65535, "0..1023"}),
     allowed(set_battery_empty_value{0}), allowed(set_battery_empty_value{0x3FF}),

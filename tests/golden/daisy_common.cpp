@@ -13,7 +13,7 @@ static_assert(covers<daisy::common::messages>(rows));
 static_assert(daisy::messages::count == 93);
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(init_reply{}), allowed(init_reply{first(1)}), allowed(init_reply{first(251)}),
     allowed(reset_reply{}), allowed(reset_reply{first(251)}),
     allowed(error{1}), allowed(error{255}),

@@ -12,7 +12,7 @@ using namespace golden::daisy_dc_motor;
 static_assert(covers<daisy::dc_motor::messages>(rows));
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(set_direction{direction::clockwise}), allowed(set_direction{direction::counter_clockwise}),
     refused(set_direction{static_cast<direction>(2)}, broken{"direction", 2, "clockwise|counter_clockwise"}),
     refused(set_direction{static_cast<direction>(255)}, broken{"direction", 255, "clockwise|counter_clockwise"}),

@@ -12,7 +12,7 @@ using namespace golden::daisy_distance_sensor;
 static_assert(covers<daisy::distance_sensor::messages>(rows));
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(on_distance_sensor{0}), allowed(on_distance_sensor{5}),
     refused(on_distance_sensor{6}, broken{"sensor_id", 6, "0..5"}), refused(on_distance_sensor{255}, broken{"sensor_id", 255, "0..5"}),
     allowed(off_distance_sensor{0}), allowed(off_distance_sensor{5}),

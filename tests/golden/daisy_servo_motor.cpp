@@ -12,7 +12,7 @@ using namespace golden::daisy_servo_motor;
 static_assert(covers<daisy::servo_motor::messages>(rows));
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(set_position{0, 0}), allowed(set_position{4, 180}),
     refused(set_position{5, 0}, broken{"servo_id", 5, "0..4"}), refused(set_position{0, 181}, broken{"position", 181, "0..180"}),
     refused(set_position{255, 255}, broken{"servo_id", 255, "0..4"}, broken{"position", 255, "0..180"}),

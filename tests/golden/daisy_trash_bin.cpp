@@ -11,7 +11,7 @@ using namespace golden::daisy_trash_bin;
 static_assert(covers<daisy::trash_bin::messages>(rows));
 static_assert(proven<rows>);
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(get_trash_bin_value_reply{0}), allowed(get_trash_bin_value_reply{0x3FF}),
     refused(get_trash_bin_value_reply{0x400}, broken{"value", 1024, "0..1023"}), refused(get_trash_bin_value_reply{0xFFFF}, broken{"value", 65535, "0..1023"}),
     allowed(set_full_bin_value{0}), allowed(set_full_bin_value{0x3FF}),

@@ -16,7 +16,7 @@ template <class M>
 constexpr M with_level(std::uint8_t level) { return {1, 2, 3, 4, level, "", "", ""}; }
 constexpr broken level_16{"level", 16, "0..15"}, level_99{"level", 99, "0..15"};
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(with_level<load>(0)), allowed(with_level<load>(15)), refused(with_level<load>(16), level_16), refused(with_level<load>(99), level_99),
     allowed(with_level<transit>(0)), allowed(with_level<transit>(15)), refused(with_level<transit>(16), level_16), refused(with_level<transit>(99), level_99),
     allowed(with_level<unload>(0)), allowed(with_level<unload>(15)), refused(with_level<unload>(16), level_16), refused(with_level<unload>(99), level_99),

@@ -15,7 +15,7 @@ constexpr std::string_view clients = "load|transit|unload|go_parking|go_node|can
 constexpr broken none{"src_type", 0, clients}, unnamed_4{"src_type", 4, clients}, of_gateway{"src_type", 100, clients}, last{"src_type", 999, clients};
 constexpr ack of(int type) { return {1, 2, static_cast<order_type>(type), 3}; }
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(of(1)), allowed(of(2)), allowed(of(3)), allowed(of(10)), allowed(of(15)), allowed(of(20)), allowed(of(21)), allowed(of(22)), allowed(of(23)), allowed(of(30)), allowed(of(50)),
     refused(of(0), none), refused(of(4), unnamed_4), refused(of(100), of_gateway), refused(of(999), last),
     refused(of(51), broken{"src_type", 51, clients}), refused(of(63), broken{"src_type", 63, clients}), refused(of(64), broken{"src_type", 64, clients}),

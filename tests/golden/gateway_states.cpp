@@ -26,7 +26,7 @@ constexpr std::string_view uses = "unused|previous|current|next", phases = "none
 constexpr std::string_view modes = "no_power_freezing|no_power_frozen|init|manual|semi_automatic|automatic|shutdown_ready|shutting_down";
 constexpr cart_state with_type(int type) { return cart([=](auto& s) { s.orders[1].type = static_cast<order_type>(type); }); }
 
-constexpr std::tuple limits{
+constexpr table limits{
     allowed(cart([](auto& s) { s.rel_position = 100; })), refused(cart([](auto& s) { s.rel_position = 101; }), broken{"rel_position", 101, "0..100"}),
     refused(cart([](auto& s) { s.rel_position = 999; }), broken{"rel_position", 999, "0..100"}),
     allowed(cart([](auto& s) { s.cross_confirmation_needed = 1; })), refused(cart([](auto& s) { s.cross_confirmation_needed = 2; }), broken{"cross_confirmation_needed", 2, "0..1"}),

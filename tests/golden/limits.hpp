@@ -55,13 +55,13 @@ constexpr bool unwritable(const typename F::envelope& e, const M& m, field_ref f
 
 template <const auto& Table, std::size_t I>
 struct limit_proof {
-    static_assert(limit_holds(std::get<I>(Table)), "row I of Table does not hold");
+    static_assert(limit_holds(slot_at<I>(Table.list)), "row I of Table does not hold");
     static constexpr bool value = true;
 };
 template <const auto& Table>
 inline constexpr bool limits_proven = []<std::size_t... I>(std::index_sequence<I...>) {
     return (limit_proof<Table, I>::value && ...);
-}(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(Table)>>>{});
+}(Table.indices);
 
 /// `path value allowed`, one line for each violation.
 template <class M>

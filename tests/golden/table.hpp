@@ -3,10 +3,10 @@
 /// `proven<table>` checks them at compile time, the functions of check.hpp again, and more closely, at run time.
 
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "properties.hpp"
+#include "trama/core/layout.hpp"
 
 namespace trama::golden {
 
@@ -21,6 +21,15 @@ struct row {
     std::string_view json;  ///< Its fields.
 
     constexpr std::span<const typename F::unit> units() const { return wire; }
+};
+
+/// Rows of any types. Held as a layout holds its fields, because a std::tuple of so many takes longer to compile than all the rest.
+template <class... Rows>
+struct table {
+    slots<std::index_sequence_for<Rows...>, Rows...> list;
+    static constexpr auto indices = std::index_sequence_for<Rows...>{};
+
+    constexpr explicit table(const Rows&... rows) : list{{rows}...} {}
 };
 
 /// The bytes that a literal spells in hex, one space between them. Anything else does not compile.
@@ -46,7 +55,7 @@ consteval std::array<std::uint8_t, Size - 1> characters(const char (&s)[Size]) {
 /// Calls `f(row)` for every row.
 template <class Table>
 constexpr void each_row(const Table& table, auto&& f) {
-    std::apply([&](const auto&... rows) { (f(rows), ...); }, table);
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(slot_at<I>(table.list)), ...); }(table.indices);
 }
 
 /// Encodes to exactly its units and decodes from them, whole and in some chunks.
@@ -60,14 +69,14 @@ constexpr bool holds(const auto& row, std::size_t stride) {
 /// One row's proof, so that the compiler names the row that fails, and so that each has its own step budget.
 template <const auto& Table, std::size_t I>
 struct proof {
-    static constexpr auto& one = std::get<I>(Table);
+    static constexpr auto& one = slot_at<I>(Table.list);
     static_assert(holds(one, one.wire.size() < 16 ? 3 : 61), "row I of Table does not hold");
     static constexpr bool value = true;
 };
 template <const auto& Table>
 inline constexpr bool proven = []<std::size_t... I>(std::index_sequence<I...>) {
     return (proof<Table, I>::value && ...);
-}(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(Table)>>>{});
+}(Table.indices);
 
 /// True when every message of `List` has a row.
 template <class List, class Table>

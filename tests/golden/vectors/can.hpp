@@ -9,7 +9,7 @@ using namespace can;
 
 inline constexpr moment from_13th{2011, 3, 13, 9, 15, 10}, to_15th{2011, 3, 15, 23, 30, 5};
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // §1: 1|1|F|C|A|0|0|0, 0|0|0|0|0|0|0|0, 0|0|0|0|0|0|0|0
     can_row("define_function", define_function{1, 1, function::continuous_all, {}, {}, 0, {}},
             R"({"node":1,"message_id":1,"function":"continuous_all","start":{"year":0,"month":0,"day":0,"hour":0,"minute":0,"second":0},"end":{"year":0,"month":0,"day":0,"hour":0,"minute":0,"second":0},"sensor_count":0,"sensors":[0,0,0,0]})",

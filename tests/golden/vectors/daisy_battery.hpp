@@ -7,7 +7,7 @@ namespace trama::golden::daisy_battery {
 
 using namespace daisy::battery_controller;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // LEN 4+0 = 04; CRC 04^41^00^40 = 05
     daisy_row("battery_controller.enable", octets("04 41 00 40 05"), 0x41, 0x00, enable{}, "{}"),
     // LEN 4+0 = 04; CRC 04^00^41^C0 = 85

@@ -23,7 +23,7 @@ inline constexpr std::array<std::uint8_t, 252> long_bytes = [] {
 }();
 constexpr byte_view first(std::size_t n) { return byte_view{std::span(long_bytes).first(n)}; }
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // LEN 4+0 = 04; CRC 04^11^00^01 = 14
     daisy_row("common.init", octets("04 11 00 01 14"), 0x11, 0x00, init{}, "{}"),
     // LEN 4+0 = 04; FF: every board; CRC 04^FF^00^01 = FA

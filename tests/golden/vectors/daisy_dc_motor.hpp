@@ -8,7 +8,7 @@ namespace trama::golden::daisy_dc_motor {
 using namespace daisy::dc_motor;
 using daisy::direction;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // §12.1: from main controller 0:0 to board 1:1, counter-clockwise; the document prints CRC 55.
     // LEN 4+1 = 05; CRC 05^11^00^40^01 = 55
     daisy_row("dc_motor.set_direction", octets("05 11 00 40 01 55"), 0x11, 0x00, set_direction{direction::counter_clockwise}, R"({"direction":"counter_clockwise"})"),

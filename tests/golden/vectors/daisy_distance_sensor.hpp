@@ -8,7 +8,7 @@ namespace trama::golden::daisy_distance_sensor {
 using namespace daisy::distance_sensor;
 using daisy::state, daisy::trigger;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // LEN 4+1 = 05; CRC 05^31^00^40^05 = 71
     daisy_row("distance_sensor.on_distance_sensor", octets("05 31 00 40 05 71"), 0x31, 0x00, on_distance_sensor{5}, R"({"sensor_id":5})"),
     // LEN 4+0 = 04; CRC 04^00^31^C0 = F5

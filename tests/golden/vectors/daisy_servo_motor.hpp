@@ -8,7 +8,7 @@ namespace trama::golden::daisy_servo_motor {
 using namespace daisy::servo_motor;
 using daisy::state, daisy::trigger;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // LEN 4+2 = 06; 90 = 5A; CRC 06^21^00^40^03^5A = 3E
     daisy_row("servo_motor.set_position", octets("06 21 00 40 03 5A 3E"), 0x21, 0x00, set_position{3, 90}, R"({"servo_id":3,"position":90})"),
     // LEN 4+0 = 04; CRC 04^00^21^C0 = E5

@@ -7,7 +7,7 @@ namespace trama::golden::daisy_trash_bin {
 
 using namespace daisy::trash_bin;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // LEN 4+0 = 04; CRC 04^51^00^40 = 15
     daisy_row("trash_bin.get_trash_bin_value", octets("04 51 00 40 15"), 0x51, 0x00, get_trash_bin_value{}, "{}"),
     // LEN 4+2 = 06; 567 = 0237; CRC 06^00^51^C0^37^02 = A2

@@ -7,7 +7,7 @@ namespace trama::golden::gateway_orders {
 
 using namespace gateway;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // 3+5+5+5+5+2+10+10+10 = 55 characters
     gateway_row("load", record("  1", "    1", "   12", "  345", "    2", " 7", "FAST      ", "0110      ", "PALLET-9  "),
                 load{1, 12, 345, 2, 7, "FAST", "0110", "PALLET-9"},

@@ -7,7 +7,7 @@ namespace trama::golden::gateway_replies {
 
 using namespace gateway;
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // 3+5+5+3+5+10 = 31 characters
     gateway_row("transit_ack", record("100", "    1", "   12", "  1", "    1", "T000000042"), transit_ack{1, 12, order_type::load, 1, "T000000042"},
                 R"({"msg_id":1,"cart_id":12,"src_type":"load","src_msg_id":1,"transit_id":"T000000042"})"),

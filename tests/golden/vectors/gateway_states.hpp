@@ -11,7 +11,7 @@ inline constexpr transit_order waiting{order_use::next, order_type::go_parking, 
 inline constexpr transit_order running{order_use::current, order_type::transit, 0, 17, 3, 4, "FAST", "T000000042", "PALLET-9", transit_phase::go_transit, "0110", "", "LIFT"};
 inline constexpr transit_order widest{order_use::previous, order_type::go_node, 99999, 99999, 99999, 15, "options890", "transit890", "cargo67890", transit_phase::transit_done, "inputs7890", "outputs890", "command890"};
 
-inline constexpr std::tuple rows{
+inline constexpr table rows{
     // 3+5+5+4+1+5+3+5+5+5+1 = 42 characters, then 2 orders of 1+3+5+5+5+2+10+10+10+1+10+10+10 = 82: 206
     // status 704 = 512+128+64: loaded, ready, busy
     gateway_row("cart_state",
