@@ -29,12 +29,17 @@ private:
     }
     bool check_keys() {
         if (line_.type != json_value::kind::object) return fail("a JSON object is needed");
+        if (!check_protocol()) return false;
         if (const json_value* e = line_.find("error")) return fail("skipped, it reports an error: " + e->text);
         for (const auto& [name, value] : line_.members) {
             const bool place = name == "offset" || name == "length" || name == "line" || name == "frames";
             const bool address = is_can ? name == "id" : is_daisy && (name == "destination" || name == "source" || name == "kind");
             if (!place && !address && name != "protocol" && name != "message" && name != "fields" && name != "violations") return fail(name + ": there is no such field");
         }
+        return true;
+    }
+    /// First, since the other formats have other keys.
+    bool check_protocol() {
         const json_value* protocol = line_.find("protocol");
         if (protocol == nullptr) return true;
         if (protocol->type != json_value::kind::string) return fail("protocol: a string is needed");
@@ -101,14 +106,25 @@ private:
         std::array<char, 1024> memory;
         text_sink out(memory);
         print_path<M>(out, refused.field);
-        return explain(out, told);
+        return explain(out, told, counted<M>(refused.field));
     }
-    static std::string explain(text_sink& out, const violation& told) {
+    static std::string explain(text_sink& out, const violation& told, std::string_view counted) {
         if (told.allowed != nullptr) {
-            out << ": " << told.value << " is not allowed (";
+            out << ": " << told.value << counted << (counted.empty() || told.value == 1 ? " is" : "s are") << " not allowed (";
             out.allowed(*told.allowed) << ')';
         }
         return std::string{out.view()};
+    }
+    /// What the value of a violation counts: the values of a list, or the bytes of what fills the rest of a body.
+    template <class M>
+    static std::string_view counted(field_ref refused) {
+        std::string_view what;
+        each_index<M>([&]<std::size_t I>() {
+            using wire_type = typename std::remove_cvref_t<decltype(field_of<M, I>)>::wire_type;
+            if constexpr (wire::variable<wire_type>)
+                if (refused == field_ref{I}) what = requires { typename wire_type::element; } ? " value" : " byte";
+        });
+        return what;
     }
 
     const json_value& line_;

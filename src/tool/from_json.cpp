@@ -5,9 +5,15 @@
 #include <charconv>
 #include <limits>
 
+#include "tool/lines.hpp"
+
 namespace trama::tool {
 
 namespace {
+
+/// More digits than a line has.
+constexpr int far = 1'000'000;
+static_assert(line_reader::longest < far / 2);
 
 /// The number that `text`, a JSON number, is after moving its point by `shift` digits: nothing if that is no whole
 /// number; what does not fit becomes the largest or smallest there is.
@@ -19,14 +25,14 @@ std::optional<std::int64_t> shifted_number(std::string_view text, int shift) {
     const std::size_t power = text.find_first_of("eE"), point = text.find('.');
     if (power != text.npos) {
         const std::string_view written = text.substr(power + (text[power + 1] == '+' ? 2 : 1));
-        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{}) exponent = written.front() == '-' ? -9999 : 9999;
+        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{}) exponent = written.front() == '-' ? -far : far;
     }
     for (const char c : text.substr(0, power))
         if (c >= '0' && c <= '9') digits += c;
     const std::size_t decimals = point == text.npos ? 0 : std::min(power, text.size()) - point - 1;
     digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
     if (digits.empty()) return 0;
-    int zeros = std::clamp(exponent, -9999, 9999) + shift - static_cast<int>(decimals);
+    int zeros = std::clamp(exponent, -far, far) + shift - static_cast<int>(decimals);
     for (; zeros < 0; ++zeros) {
         if (digits.empty() || digits.back() != '0') return std::nullopt;
         digits.pop_back();
@@ -64,8 +70,12 @@ bool message_reader::fail(std::string_view what) {
     return false;
 }
 
-bool message_reader::fail_count(std::string_view how, std::size_t needed, std::size_t given) {
-    return fail(std::string{how} + std::to_string(needed) + " values are needed, not " + std::to_string(given));
+bool message_reader::fail_count(std::size_t needed, std::size_t given) {
+    return fail(std::to_string(needed) + " values are needed, not " + std::to_string(given));
+}
+
+bool message_reader::fail_too_many(std::size_t most, std::size_t given) {
+    return fail("at most " + std::to_string(most) + " values are possible, not " + std::to_string(given));
 }
 
 std::size_t message_reader::enter(std::string_view name) {

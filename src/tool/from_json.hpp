@@ -62,7 +62,8 @@ private:
         return good;
     }
     bool fail(std::string_view what);
-    bool fail_count(std::string_view how, std::size_t needed, std::size_t given);
+    bool fail_count(std::size_t needed, std::size_t given);
+    bool fail_too_many(std::size_t most, std::size_t given);
     std::size_t enter(std::string_view name);
     std::size_t enter(std::size_t index);
     void leave(std::size_t before, bool good) { if (good) path_.resize(before); }
@@ -130,9 +131,9 @@ private:
         if constexpr (wire::variable<W>) {
             out = {};
             for (std::size_t i = 0; i != v.items.size(); ++i)
-                if (!out.push_back({})) return fail_count("at most ", W::max_count, v.items.size());
+                if (!out.push_back({})) return fail_too_many(W::max_count, v.items.size());
         } else if (v.items.size() != out.size()) {
-            return fail_count("", out.size(), v.items.size());
+            return fail_count(out.size(), v.items.size());
         }
         for (std::size_t i = 0; i != v.items.size(); ++i) {
             const std::size_t before = enter(i);

@@ -172,6 +172,17 @@ class Values(ToolCase):
             line = '{"message":"circuit_state","fields":{"circuit_voltage":' + number + "}}"
             self.assertEqual(self.encode("gateway", line)[0][9:14], column)
 
+    def test_exponents(self):
+        line = '{"message":"idle_processing","fields":{"msg_id":%s}}'
+        long = 20000  # digits
+        for number, column in (("12e0", b"   12"), ("1.2e1", b"   12"), ("120E-1", b"   12"), ("0e99999999999999999999", b"    0"),
+                               ("1" + "0" * long + f"e-{long}", b"    1"), ("0." + "0" * long + f"12e{long + 2}", b"   12")):
+            with self.subTest(number[:30]):
+                self.assertEqual(self.encode("gateway", line % number)[0], record(" 50" + column.decode()))
+        for number in ("12e-1", "1" + "0" * long + f"e-{long + 1}", "1e-99999999999999999999", "1e5", "1e99999999999999999999", "0." + "0" * long + f"1e{long + 6}"):
+            with self.subTest(number[:30]):
+                self.encode_refuses("gateway", line % number, "msg_id")
+
     def test_text_keeps_inner_and_leading_spaces(self):
         out, _ = self.encode("gateway", gateway("send_inputs", inputs=' a "\\b'))
         self.assertEqual(out[-11:-1], b' a "\\b    ')
@@ -282,6 +293,8 @@ class Refusals(ToolCase):
 
     def test_another_protocol(self):
         self.encode_refuses("gateway", {**gateway(), "protocol": "can"}, "protocol")
+        self.encode_refuses("gateway", daisy(), "line 1: protocol: it is daisy, not gateway")
+        self.encode_refuses("daisy", {"protocol": "can", "line": 1, "error": "bad_line"}, "line 1: protocol: it is can, not daisy")
 
 
 class Violations(ToolCase):
@@ -352,6 +365,16 @@ class RefusalsInWords(ToolCase):
                                      (gateway("circuit_state", mode=9), gateway("circuit_state", mode=10)),
                                      (daisy("dc_motor.set_direction", direction=255), daisy("dc_motor.set_direction", direction=256))):
             self.assertEqual(*(self.said(line).split("is not allowed")[1] for line in (carried, not_carried)))
+
+    def test_count_what_there_are_too_many_or_too_few_of(self):
+        readings = [{"destination": 0, "source": 49, "protocol": "daisy", "kind": "response", "message": "distance_sensor.get_value",
+                     "fields": {"sensors": 3, "readings": [1] * n}} for n in (1, 9)]
+        for line, words in ((readings[0], "readings: 1 value is not allowed (as many values as the message announces)"), (readings[1], "readings: at most 8 values are possible, not 9"),
+                            (daisy("servo_motor.set_all_positions", 32, positions=[0] * 4), "positions: 5 values are needed, not 4"),
+                            (daisy("common.error", code=0), "rejected: 0 bytes are not allowed (5..249 bytes)"),
+                            (daisy("common.reset", 0, 32, "response", description="x" * 252), "description: 252 bytes are not allowed (0..251 bytes)")):
+            with self.subTest(words):
+                self.assertEqual(self.said(line), f"trama: encode: line 1: {words}\n")
 
     def test_begin_with_the_field(self):
         no_source, no_message = daisy(), gateway()

@@ -5,7 +5,7 @@
 namespace trama::can {
 
 /// A master: sends requests one at a time, waits for each reply with a time-out, asks again, and polls its nodes' sensors
-/// once a second. [can §1..§5]
+/// every `timing::poll`. [can §1..§5]
 ///
 /// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
 /// node answers would come between the frames of the reply [D6, D7]. For the same reason the next request waits when one
@@ -21,7 +21,7 @@ public:
     constexpr explicit master(std::uint32_t id, const timing& t = {}, bool confirms_clock = false) noexcept
         : id_(id), timing_(t), confirms_clock_(confirms_clock), reassembler_({id, central_master}, t.partial), calendar_(t.second) {}
 
-    /// Polls `node` once a second from the next round on. False when there are `Nodes` already.
+    /// Polls `node` every `timing::poll` from the next round on. False when there are `Nodes` already.
     constexpr bool poll(std::uint8_t node) noexcept { return nodes_.add(node); }
     /// Queues `m` under the next message_id, which it returns. `buffer_too_small` when `Requests` wait already;
     /// `out_of_range` with the field.
@@ -34,7 +34,8 @@ public:
         next_id_ = next_id_ == 200 ? std::uint8_t{0} : static_cast<std::uint8_t>(next_id_ + 1);
         return m.message_id;
     }
-    /// Sets everyone's clock; the central master's. Answered by one echo. [can §5; D11]
+    /// Sets everyone's clock; for the central master. Errors as of `request`. Answered by the one master that has `confirms_clock`: without one it ends
+    /// as `failed`, although the clocks are set. [can §5; D11]
     constexpr result<std::uint8_t> set_every_clock(const moment& t) noexcept {
         return request(set_clock{global_node, 0, t.year, t.month, t.day, t.hour, t.minute, t.second});
     }

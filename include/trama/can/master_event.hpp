@@ -44,10 +44,10 @@ template <class M>
 concept request_message = std::is_same_v<M, define_function> || std::is_same_v<M, read_sensors> || std::is_same_v<M, read_actuator> ||
                           std::is_same_v<M, set_actuator> || std::is_same_v<M, set_clock>;
 
-/// A node whose sensors are read once a second.
+/// A node whose sensors are read every `timing::poll`.
 struct polled_node {
     std::uint8_t node = 0;
-    link_quality quality{};  ///< In frames.
+    link_quality quality{};  ///< `bytes_…` and `goodput` count frames.
 };
 
 /// Those of one master.

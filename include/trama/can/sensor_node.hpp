@@ -34,8 +34,8 @@ concept node_device = requires(D d, std::uint8_t id, std::uint8_t& state) {
 template <std::size_t Sensors = 4>
 class sensor_node {
 public:
-    /// `self` is the node's number, `master` the identifier that it answers under, `sensors` what it has; `second` is one
-    /// second in the caller's unit of time, `partial` the age at which a partial message is given up.
+    /// `self` is the node's number, `master` the identifier that it answers under, `sensors` what it has. Of `t` it uses
+    /// `second` and `partial`.
     constexpr sensor_node(std::uint8_t self, std::uint32_t master, const std::array<std::uint8_t, Sensors>& sensors, const timing& t = {}) noexcept
         : self_(self), master_(master), sensors_(sensors), reassembler_({central_master, master_1, master_2}, t.partial), calendar_(t.second) {
         if (master != central_master && master != master_1 && master != master_2) reassembler_ = basic_reassembler<3>({central_master, master, master_2}, t.partial);

@@ -88,7 +88,7 @@ private:
 /// What a decoder has seen since it was made; readable at any time, never reset by `reset()`.
 struct counters {
     std::uint64_t packets = 0;                       ///< Packets delivered, unknown ones not included.
-    std::uint64_t skipped = 0;                       ///< Units that error events covered.
+    std::uint64_t skipped = 0;                       ///< Units that error events covered, but not unknown packets.
     std::uint64_t foreign = 0;                       ///< Frames of other protocols (can).
     std::array<std::uint64_t, errc_count> errors{};  ///< Error events by code.
 

@@ -68,11 +68,11 @@ public:
     /// Rates are sums over the last `window` units of time.
     constexpr explicit link_quality(std::uint64_t window = 1000) noexcept : good_(window) {}
 
-    std::uint64_t packets_sent = 0;        ///< Repeats included.
-    std::uint64_t bytes_sent = 0;
+    std::uint64_t packets_sent = 0;        ///< Repeats included. Of a can bus its frames.
+    std::uint64_t bytes_sent = 0;          ///< In can: frames, as of all that counts bytes here.
     std::uint64_t packets_received = 0;    ///< Intact ones.
     std::uint64_t bytes_received = 0;      ///< Of intact packets.
-    std::uint64_t bytes_skipped = 0;       ///< Received, yet of no use (can: frames).
+    std::uint64_t bytes_skipped = 0;       ///< Received, yet of no use.
     std::uint64_t resynchronisations = 0;  ///< Faults after which the receiver had to find its footing again.
     std::uint64_t rejections = 0;          ///< Packets that the peer reported as damaged.
     std::uint64_t retries = 0;

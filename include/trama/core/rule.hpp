@@ -32,14 +32,14 @@ struct rule {
 /// Bounds, both included.
 constexpr rule between(std::int64_t low, std::int64_t high) noexcept { return {low, high, low, 0, {}, {}}; }
 
-/// A value that the wire can carry, yet the document does not allow.
+/// A value that the document or the wire does not allow.
 struct violation {
     field_ref field{};              ///< `print_path<M>` writes its name. Of a daisy packet's addresses `source` or `destination`, of can's identifier `id`.
-    std::int64_t value = 0;         ///< As a number, whatever the field's type.
+    std::int64_t value = 0;         ///< As a number, whatever the field's type. Of a list or bytes their count; of a text its first character that is not printable, 0 if it is too long.
     const rule* allowed = nullptr;  ///< Lives as long as the program.
 };
 
-/// The violations of one message, in field order, at most one for each value.
+/// The violations of one message, at most one for each value: first what has the wrong length or should not be there, then the values in field order.
 template <std::size_t Capacity>
 class violation_list {
 public:

@@ -24,7 +24,7 @@ public:
         if constexpr (std::is_unsigned_v<decltype(v)>) return unsigned_number(v);
         else return number(v);
     }
-    /// A number held in tenths, always with one decimal: 482 prints as 48.2.
+    /// A number held in tenths, always with one decimal: 482 prints as 48.2. Not below 0.
     text_sink& tenths(std::int64_t v) noexcept;
     /// Bytes as lower-case pairs of hex digits, `gap` between them.
     text_sink& hex(std::span<const std::uint8_t> bytes, std::string_view gap = {}) noexcept;

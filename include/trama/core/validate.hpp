@@ -120,7 +120,8 @@ constexpr void each_shape_fault(const M& m, auto&& f) {
         });
 }
 
-/// Calls `f(const violation&)` for every value of `m` that the document or the wire does not allow, in field order.
+/// Calls `f(const violation&)` for every value of `m` that the document or the wire does not allow: first lists of the wrong length and fields that
+/// should not be there, then the values in field order.
 template <has_layout M>
 constexpr void for_each_violation(const M& m, auto&& f) {
     each_shape_fault(m, [&](field_ref at, std::int64_t value, const rule& r) { f(violation{at, value, &r}); });
@@ -149,7 +150,7 @@ constexpr bool fits_wire(const M& m) noexcept {
     return good;
 }
 
-/// Why an encoder refuses `m`: `out_of_range` with the first field that has a violation.
+/// Why an encoder refuses `m`: `out_of_range` with the field of the first violation.
 template <has_layout M>
 constexpr error refusal(const M& m) noexcept {
     error e{};

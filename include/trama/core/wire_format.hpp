@@ -46,14 +46,14 @@ struct joined<message_list<A...>, message_list<B...>, Rest...> : joined<message_
 template <class... Lists>
 using join = typename joined<Lists...>::type;
 
-/// What a decoder reports: a packet, an error, or `need_more`. Views live until the decoder's next call.
+/// What a decoder reports: a packet, an error, or `need_more`. Views live until the decoder's next call, and no longer than the chunk given to it.
 template <class Packet>
 struct basic_event {
-    errc code = errc::need_more;            ///< `ok`: a packet. `unknown_message`: a packet without a type. Else an error.
+    errc code = errc::need_more;            ///< `ok`: a packet. `unknown_message`: a packet that no table has. Else an error.
     Packet packet{};                        ///< Of `ok` and `unknown_message`; else empty.
-    std::uint64_t offset = 0;               ///< First unit in the stream, from 0.
+    std::uint64_t offset = 0;               ///< First unit in the stream, from 0 or as `seek` said.
     std::uint64_t length = 0;               ///< Units that the event covers.
-    std::span<const std::uint8_t> bytes{};  ///< Of an error: its first 256 bytes (can: its frames' data).
+    std::span<const std::uint8_t> bytes{};  ///< Of an error: its first 256 bytes. In can the data of its frames, of `ok` too.
 
     /// True for a packet whose message is known.
     constexpr explicit operator bool() const noexcept { return code == errc::ok; }

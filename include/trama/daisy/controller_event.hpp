@@ -10,7 +10,7 @@ enum class controller_news : std::uint8_t {
     no_room,     ///< `out` is smaller than `max_output`; nothing was consumed.
     reply,       ///< The reply to a request, or one of the replies to a broadcast; in `packet`.
     board,       ///< Likewise, to `init` or `reset`, by a board that was not in the list before.
-    refused,     ///< An `error` from `peer` with a code from 1 on answers `request`; in `packet`.
+    refused,     ///< `peer` answered the request `command` by an `error` with a code from 1 on; in `packet`.
     complete,    ///< A broadcast has gone round and everyone in the list has answered it.
     absent,      ///< A request has gone round: no board has its address.
     failed,      ///< No reply after all attempts; of a broadcast: not from everyone.
@@ -23,7 +23,7 @@ enum class controller_news : std::uint8_t {
     fault,       ///< Damaged bytes: `code`, `skipped`. Answered by `error` 0 where that can help.
 };
 
-/// What `controller::next` reports. Views live until the controller's next call.
+/// What `controller::next` reports. Views live until the controller's next call, and no longer than the chunk given to it.
 struct controller_event {
     controller_news news = controller_news::need_more;
     daisy::packet packet{};        ///< Where one came.

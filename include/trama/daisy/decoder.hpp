@@ -6,7 +6,7 @@
 
 namespace trama::daisy {
 
-/// What `decoder::next` reports. Views live until the decoder's next call.
+/// What `decoder::next` reports. Views live until the decoder's next call, and no longer than the chunk given to it.
 struct event : basic_event<packet> {
     std::span<const std::uint8_t> rejected{};  ///< Of bad_checksum: the packet as its LEN delimits it, to be sent back in an ERROR.
     std::uint8_t expected = 0;                 ///< Of bad_checksum: the CRC that `rejected` should have.

@@ -28,7 +28,7 @@ enum class node_news : std::uint8_t {
     fault,       ///< Damaged bytes: `code`, `skipped`. Answered by `error` 0 where that can help.
 };
 
-/// What `node::next` reports. Views live until the node's next call.
+/// What `node::next` reports. Views live until the node's next call, and no longer than the chunk given to it.
 struct node_event {
     node_news news = node_news::need_more;
     daisy::packet packet{};        ///< Where one came. For news about an alarm, its reply.

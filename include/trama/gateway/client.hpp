@@ -32,7 +32,7 @@ struct order_in_flight {
     friend constexpr bool operator==(const order_in_flight&, const order_in_flight&) = default;
 };
 
-/// What `client::next` reports. Views live until the client's next call.
+/// What `client::next` reports. Views live until the client's next call, and no longer than the chunk given to it.
 struct client_event {
     client_news news = client_news::need_more;
     order_in_flight order{};     ///< Of accepted, refused, timed_out, in_doubt.

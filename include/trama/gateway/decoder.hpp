@@ -4,7 +4,7 @@
 
 namespace trama::gateway {
 
-/// What `decoder::next` reports. Views live until the decoder's next call. The only `bad_number` that a decoder
+/// What `decoder::next` reports. Views live until the decoder's next call, and no longer than the chunk given to it. The only `bad_number` that a decoder
 /// reports is that of the record's own type; those of other fields come from `decode` and `visit`.
 using event = basic_event<packet>;
 

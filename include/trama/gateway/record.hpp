@@ -73,7 +73,7 @@ inline constexpr catalogue known{};
 /// Index in `messages` of an order type, or `unknown`.
 constexpr std::size_t index_of(std::uint32_t type) noexcept { return type < catalogue::types ? known.index[type] : unknown; }
 
-/// A record between its delimiters, printable throughout. Views live until the decoder's next call.
+/// A record between its delimiters, printable throughout. Views live until the decoder's next call, and no longer than the chunk given to it.
 class packet {
     // Accessors are always inlined: a call would force the packet, and the decoder's event around it, into memory.
 public:

@@ -37,7 +37,7 @@ public:
 
     /// Takes bytes of connection `s` from the front of `in`, carries out at most one order and writes its reply to `out`,
     /// which holds a `max_reply`. `judge(order, cart)` may refuse it by a reason that is not empty; `cart` is null for
-    /// idle_processing. The nack bears 80 characters of the reason, with `?` for each that is not printable ASCII.
+    /// idle_processing. The reason, a view, must live until the event has been read. The nack bears 80 characters of the reason, with `?` for each that is not printable ASCII.
     template <class Judge = accept_all>
     constexpr server_event next(session s, std::span<const std::uint8_t>& in, std::uint64_t now, std::span<std::uint8_t> out, Judge&& judge = {}) noexcept {
         server_event e{};
@@ -58,7 +58,8 @@ public:
     }
     static constexpr std::size_t max_reply = type_size + nack::layout.size + 2;
 
-    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there is none. Carts and
+    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there
+    /// is none, no connection, or too little room. Carts and
     /// circuit take turns, so that none waits for longer than a round, however often the others change. A state with a
     /// value out of range is passed over and stays due: `unsendable`.
     constexpr std::size_t poll(std::span<std::uint8_t> out) noexcept {

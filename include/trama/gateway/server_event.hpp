@@ -17,7 +17,7 @@ enum class server_news : std::uint8_t {
     fault,      ///< `code` says what was wrong with `skipped` bytes, or why an order without readable number got no reply.
 };
 
-/// What `server::next` reports. Views live until the server's next call.
+/// What `server::next` reports. Views live until the server's next call, and no longer than the chunk given to it.
 struct server_event {
     server_news news = server_news::need_more;
     order_type type = order_type::none;  ///< Of accepted, refused.

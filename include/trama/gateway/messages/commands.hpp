@@ -10,7 +10,7 @@ namespace trama::gateway {
 /// SEND_COMMAND: a command for the hook. [gateway, "Order_type: send_command"]
 struct send_command {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     text<10> transit_id{};
     text<10> command{};
 
@@ -28,7 +28,7 @@ struct send_command {
 /// SEND_INPUTS: what the hook sees of the station. [gateway, "Order_type: send_inputs"]
 struct send_inputs {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     text<10> transit_id{};
     text<10> inputs{};
 
@@ -46,7 +46,7 @@ struct send_inputs {
 /// SEND_CARGO_ID: names the load of a transit [D13]. [gateway, "Order_type: send_cargo_id"]
 struct send_cargo_id {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     text<10> transit_id{};
     text<10> cargo_id{};
 
@@ -64,8 +64,8 @@ struct send_cargo_id {
 /// CROSS_GRANTED: lets a cart pass on. [gateway, "Order_type: cross_granted"]
 struct cross_granted {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t node = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t node = 0;  ///< 0..99999.
 
     static constexpr order_type key = order_type::cross_granted;
     static constexpr std::string_view name = "cross_granted", section = "Order_type: cross_granted";

@@ -10,9 +10,9 @@ namespace trama::gateway {
 /// LOAD: go to a station and take a load. [gateway, "Order_types: load, transit, unload"]
 struct load {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t station_id = 0;
-    std::uint32_t station_type = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t station_id = 0;  ///< 0..99999.
+    std::uint32_t station_type = 0;  ///< 0..99999.
     std::uint8_t level = 0;  ///< 0..15 [D20].
     text<10> options{};
     text<10> initial_inputs{};
@@ -36,9 +36,9 @@ struct load {
 /// TRANSIT: pass through a station for a process. [gateway, "Order_types: load, transit, unload"]
 struct transit {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t station_id = 0;
-    std::uint32_t station_type = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t station_id = 0;  ///< 0..99999.
+    std::uint32_t station_type = 0;  ///< 0..99999.
     std::uint8_t level = 0;  ///< 0..15 [D20].
     text<10> options{};
     text<10> initial_inputs{};
@@ -62,9 +62,9 @@ struct transit {
 /// UNLOAD: go to a station and put the load down. [gateway, "Order_types: load, transit, unload"]
 struct unload {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t station_id = 0;
-    std::uint32_t station_type = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t station_id = 0;  ///< 0..99999.
+    std::uint32_t station_type = 0;  ///< 0..99999.
     std::uint8_t level = 0;  ///< 0..15 [D20].
     text<10> options{};
     text<10> initial_inputs{};
@@ -88,8 +88,8 @@ struct unload {
 /// GO_PARKING: go to a parking area. [gateway, "Order_type: go_parking"]
 struct go_parking {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t parking_node = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t parking_node = 0;  ///< 0..99999.
 
     static constexpr order_type key = order_type::go_parking;
     static constexpr std::string_view name = "go_parking", section = "Order_type: go_parking";
@@ -104,8 +104,8 @@ struct go_parking {
 /// GO_NODE: go to a node. [gateway, "Order_type: go_node"]
 struct go_node {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
-    std::uint32_t node = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
+    std::uint32_t node = 0;  ///< 0..99999.
 
     static constexpr order_type key = order_type::go_node;
     static constexpr std::string_view name = "go_node", section = "Order_type: go_node";
@@ -120,7 +120,7 @@ struct go_node {
 /// CANCEL_TRANSITS: give up the transits of a cart, running or waiting. [gateway, "Order_type: cancel_transits"]
 struct cancel_transits {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
 
     static constexpr order_type key = order_type::cancel_transits;
     static constexpr std::string_view name = "cancel_transits", section = "Order_type: cancel_transits";

@@ -10,7 +10,7 @@ namespace trama::gateway {
 /// TRANSIT_ACK: accepts load, transit, unload, go_parking, go_node. [gateway, "Order_type: transit_ack"]
 struct transit_ack {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     gateway::order_type src_type{};
     std::uint32_t src_msg_id = 0;  ///< 0..99999.
     text<10> transit_id{};
@@ -30,7 +30,7 @@ struct transit_ack {
 /// ACK: accepts any other order. Of idle_processing, cart_id is 0 [D18]. [gateway, "Order_type: ack"]
 struct ack {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     gateway::order_type src_type{};
     std::uint32_t src_msg_id = 0;  ///< 0..99999.
 
@@ -48,7 +48,7 @@ struct ack {
 /// NACK: refuses an order. The text has 80 characters [D14]. [gateway, "Order_type: nack"]
 struct nack {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     gateway::order_type src_type{};
     std::uint32_t src_msg_id = 0;  ///< 0..99999.
     text<80> error_message{};

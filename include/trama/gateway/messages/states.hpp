@@ -12,9 +12,9 @@ namespace trama::gateway {
 struct transit_order {
     gateway::order_use use{};
     gateway::order_type type{};
-    std::uint32_t node = 0;
-    std::uint32_t station_id = 0;
-    std::uint32_t station_type = 0;
+    std::uint32_t node = 0;  ///< 0..99999.
+    std::uint32_t station_id = 0;  ///< 0..99999.
+    std::uint32_t station_type = 0;  ///< 0..99999.
     std::uint8_t level = 0;  ///< 0..15 [D20].
     text<10> options{};
     text<10> transit_id{};
@@ -45,13 +45,13 @@ struct transit_order {
 /// CART_STATE: sent on every change of a cart. [gateway, "Order_type: cart_state"]
 struct cart_state {
     std::uint32_t msg_id = 0;  ///< 0..99999.
-    std::uint32_t cart_id = 0;
+    std::uint32_t cart_id = 0;  ///< 0..99999.
     gateway::cart_status cart_status{};
     gateway::cart_phase cart_phase{};
-    std::uint32_t ini_node = 0;
+    std::uint32_t ini_node = 0;  ///< 0..99999.
     std::uint16_t rel_position = 0;  ///< 0..100 %.
-    std::uint32_t end_node = 0;
-    std::uint32_t next_node = 0;
+    std::uint32_t end_node = 0;  ///< 0..99999.
+    std::uint32_t next_node = 0;  ///< 0..99999.
     std::int32_t speed_mms = 0;  ///< -9999..99999 mm/s [D16].
     std::uint8_t cross_confirmation_needed = 0;  ///< 0..1.
     std::array<transit_order, 2> orders{};
@@ -79,7 +79,7 @@ struct circuit_state {
     std::uint32_t msg_id = 0;  ///< 0..99999.
     std::uint16_t circuit_voltage = 0;  ///< Tenths of a volt, 0..9999.
     std::uint16_t circuit_current = 0;  ///< Tenths of an ampere, 0..9999.
-    std::uint32_t working_carts = 0;
+    std::uint32_t working_carts = 0;  ///< 0..99999.
     gateway::circuit_check check{};
     gateway::circuit_mode target_mode{};
     gateway::circuit_mode mode{};
