@@ -108,9 +108,9 @@ private:
         print_path<M>(out, refused.field);
         return explain(out, told, counted<M>(refused.field));
     }
-    static std::string explain(text_sink& out, const violation& told, std::string_view counted) {
+    static std::string explain(text_sink& out, const violation& told, std::string_view unit) {
         if (told.allowed != nullptr) {
-            out << ": " << told.value << counted << (counted.empty() || told.value == 1 ? " is" : "s are") << " not allowed (";
+            out << ": " << told.value << unit << (unit.empty() || told.value == 1 ? " is" : "s are") << " not allowed (";
             out.allowed(*told.allowed) << ')';
         }
         return std::string{out.view()};

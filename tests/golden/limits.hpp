@@ -16,7 +16,7 @@ struct broken {
     std::string_view allowed;
 };
 
-/// A message with the violations that it must have, in field order.
+/// A message with the violations that it must have, in the order of `validate`.
 template <wire_format F, class M, std::size_t Count>
 struct limit {
     using format = F;

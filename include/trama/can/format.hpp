@@ -30,8 +30,8 @@ struct format {
         if (e.id > last_id) f(violation{{field_ref::id}, e.id, &id_rule});
     }
 
-    /// Writes `m` as frames to `out`: the frames written; `buffer_too_small`; or `out_of_range` with the first field that
-    /// has a violation, or with `id` for an identifier of more than 11 bits. Nothing is written on error. Send the frames of
+    /// Writes `m` as frames to `out`: the frames written; `buffer_too_small`; or `out_of_range` with `id` for an
+    /// identifier of more than 11 bits, else with the field of the first violation of `validate(m)`. Nothing is written on error. Send the frames of
     /// one message without others of its identifier between.
     template <has_layout M>
         requires(messages::contains<M>)

@@ -34,8 +34,8 @@ public:
         next_id_ = next_id_ == 200 ? std::uint8_t{0} : static_cast<std::uint8_t>(next_id_ + 1);
         return m.message_id;
     }
-    /// Sets everyone's clock; for the central master. Errors as of `request`. Answered by the one master that has `confirms_clock`: without one it ends
-    /// as `failed`, although the clocks are set. [can §5; D11]
+    /// Sets everyone's clock; for the central master. Fails as `request` does. Only the master with `confirms_clock` answers; if there is none, the
+    /// request ends as `failed`, although the clocks are set. [can §5; D11]
     constexpr result<std::uint8_t> set_every_clock(const moment& t) noexcept {
         return request(set_clock{global_node, 0, t.year, t.month, t.day, t.hour, t.minute, t.second});
     }
@@ -77,9 +77,9 @@ public:
     /// Requests that wait, the one under way included.
     constexpr std::size_t waiting() const noexcept { return waiting_; }
     constexpr const can::calendar& clock() const noexcept { return calendar_; }
-    /// Of the bus as this master sees it, in frames.
+    /// Of the bus as this master sees it.
     constexpr const link_quality& quality() const noexcept { return line_; }
-    /// Of one polled node, in frames; null when it is not polled.
+    /// Of one polled node; null when it is not polled.
     constexpr const link_quality* quality(std::uint8_t node) const noexcept {
         const polled_node* n = nodes_.find(node);
         return n == nullptr ? nullptr : &n->quality;

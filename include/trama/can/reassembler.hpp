@@ -8,7 +8,7 @@
 namespace trama::can {
 
 /// What `reassembler::next` reports: `offset` counts frames as they came in, `length` is the frames of the message
-/// or error, `bytes` their data run together. Views live until the next call.
+/// or error, `bytes` their data run together. Views live until the next call, and no longer than the frames given to it.
 struct event : basic_event<packet> {
     std::uint32_t id = 0;  ///< Identifier of the frames.
 };

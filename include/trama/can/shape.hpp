@@ -65,7 +65,7 @@ constexpr opening open_message(const frame& first) noexcept {
     return {index == unknown ? errc::bad_length : errc::ok, index};
 }
 
-/// A message's frames, reassembled. Views live until the reassembler's next call.
+/// A message's frames, reassembled. Views live until the reassembler's next call, and no longer than the frames given to it.
 class packet {
     // Accessors are always inlined: a call would force the packet, and the reassembler's event around it, into memory.
 public:

@@ -69,7 +69,7 @@ public:
     constexpr explicit link_quality(std::uint64_t window = 1000) noexcept : good_(window) {}
 
     std::uint64_t packets_sent = 0;        ///< Repeats included. Of a can bus its frames.
-    std::uint64_t bytes_sent = 0;          ///< In can: frames, as of all that counts bytes here.
+    std::uint64_t bytes_sent = 0;          ///< In can all members that count bytes count frames.
     std::uint64_t packets_received = 0;    ///< Intact ones.
     std::uint64_t bytes_received = 0;      ///< Of intact packets.
     std::uint64_t bytes_skipped = 0;       ///< Received, yet of no use.

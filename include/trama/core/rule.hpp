@@ -39,7 +39,8 @@ struct violation {
     const rule* allowed = nullptr;  ///< Lives as long as the program.
 };
 
-/// The violations of one message, at most one for each value: first what has the wrong length or should not be there, then the values in field order.
+/// The violations of one message, at most one for each value: first lists of the wrong length and fields that should
+/// not be there, then the values in field order.
 template <std::size_t Capacity>
 class violation_list {
 public:

@@ -10,7 +10,7 @@ enum class controller_news : std::uint8_t {
     no_room,     ///< `out` is smaller than `max_output`; nothing was consumed.
     reply,       ///< The reply to a request, or one of the replies to a broadcast; in `packet`.
     board,       ///< Likewise, to `init` or `reset`, by a board that was not in the list before.
-    refused,     ///< `peer` answered the request `command` by an `error` with a code from 1 on; in `packet`.
+    refused,     ///< `peer` sent an `error` with a code from 1 on, in `packet`; the oldest request to it, `command`, is taken for the refused one.
     complete,    ///< A broadcast has gone round and everyone in the list has answered it.
     absent,      ///< A request has gone round: no board has its address.
     failed,      ///< No reply after all attempts; of a broadcast: not from everyone.

@@ -31,8 +31,8 @@ struct format {
         if (!fits<M>(e)) f(violation{{field_ref::destination}, e.destination.octet, &destination_rule});
     }
 
-    /// Writes `m` as a packet to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with the field of the
-    /// first violation that `validate` lists, with `source` if its id is 15, or with `destination` when the addresses imply another family [D3].
+    /// Writes `m` as a packet to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with `source` if its
+    /// id is 15, else with the field of the first violation of `validate(m)`, else with `destination` if the addresses imply another family [D3].
     /// Nothing is written on error.
     /// Views in `m` may lie in `out`: a board reports a packet from the buffer that it came in.
     template <has_layout M>

@@ -31,6 +31,7 @@ public:
     /// is no place for it yet, as in `controller::request`. It is repeated until its reply comes or the attempts are used up.
     template <request_message M>
     constexpr result<std::size_t> send(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
+        static_assert(min_packet + M::layout.max_size <= max_request);
         request_in_flight* place = alarms_.place_for(to, command_of(M::key), now);
         if (place == nullptr) return errc::buffer_too_small;
         const auto size = format::encode({to, self_}, m, out);

@@ -4,7 +4,8 @@
 
 namespace trama::daisy {
 
-/// A packet whose length and CRC were verified: views of its bytes, which live until the decoder's next call. [daisy §2]
+/// A packet whose length and CRC were verified: views of its bytes, which live until the decoder's next call, and no longer than the chunk
+/// given to it. [daisy §2]
 class packet {
     // Accessors are always inlined: a call would force the packet, and the decoder's event around it, into memory.
 public:

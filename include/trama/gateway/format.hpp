@@ -53,7 +53,7 @@ struct format {
     static constexpr void for_each_violation(const gateway::envelope&, const M&, auto&&) noexcept {}
 
     /// Writes `m` as a record to `out`: the bytes written; `buffer_too_small`; or `out_of_range` with the field of the
-    /// first violation that `validate` lists. Nothing is written on error.
+    /// first violation of `validate(m)`. Nothing is written on error.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode(const gateway::envelope& e, const M& m, std::span<unit> out, justify side = justify::right) noexcept {

@@ -58,10 +58,9 @@ public:
     }
     static constexpr std::size_t max_reply = type_size + nack::layout.size + 2;
 
-    /// Writes the next state that is due to `out`, which holds a `max_record`: its bytes, 0 when there
-    /// is none, no connection, or too little room. Carts and
-    /// circuit take turns, so that none waits for longer than a round, however often the others change. A state with a
-    /// value out of range is passed over and stays due: `unsendable`.
+    /// Writes the next state that is due to `out` and returns its bytes; 0 when none is due, when there is no connection, or when `out` is smaller
+    /// than `max_record`. Carts and circuit take turns, so that none waits for longer than a round, however often the others change. A state with
+    /// a value out of range is passed over and stays due: `unsendable`.
     constexpr std::size_t poll(std::span<std::uint8_t> out) noexcept {
         if (active_ == 0 || out.size() < max_record) return 0;
         for (std::size_t i = 0; i <= carts_.size(); ++i) {
