@@ -23,7 +23,7 @@ struct row {
     constexpr std::span<const typename F::unit> units() const { return wire; }
 };
 
-/// Rows of any types. Held as a layout holds its fields, because a std::tuple of so many takes longer to compile than all the rest.
+/// Rows of any types. Held as a layout holds its fields, which compiles faster than a std::tuple.
 template <class... Rows>
 struct table {
     slots<std::index_sequence_for<Rows...>, Rows...> list;

@@ -31,8 +31,8 @@ struct format {
     }
 
     /// Writes `m` as frames to `out`: the frames written; `buffer_too_small`; or `out_of_range` with `id` for an
-    /// identifier of more than 11 bits, else with the field of the first violation of `validate(m)`. Nothing is written on error. Send the frames of
-    /// one message without others of its identifier between.
+    /// identifier of more than 11 bits, else with the field of the first violation of `validate(m)`. Nothing is written
+    /// on error. Send the frames of one message without others of its identifier between.
     template <has_layout M>
         requires(messages::contains<M>)
     static constexpr result<std::size_t> encode(const can::envelope& e, const M& m, std::span<unit> out) noexcept {
