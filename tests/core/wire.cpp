@@ -37,6 +37,7 @@ TEST(wire, numbers_come_back_within_their_range) {
     expect_carried<dec<4>>(0, 9999);
     expect_carried<dec<5>>(0, 99999);
     expect_carried<dec<7>>(0, 9999999, 997);
+    expect_carried<dec<8>>(0, 99999999, 9973);  // no field is so wide; a format of one's own may have one
     expect_carried<signed_dec<5>>(-9999, 99999);
     expect_carried<tenths<5>>(0, 9999);
 }

@@ -110,6 +110,11 @@ TEST(daisy_recovery, a_plain_text_that_holds_a_packet_is_no_landmark) {
     EXPECT_FALSE(landmark(sealed(0, 0x11, 0x81, text)));
     text.back() ^= 1;
     EXPECT_TRUE(landmark(sealed(0, 0x11, 0x81, text))) << "now its CRC is wrong";
+
+    octets behind_a_tab = text_bytes("\t");  // which with the next three bytes looks like a header too
+    append(behind_a_tab, sealed(0x21, 0x41, 0x41, octets(5, 'A')));
+    ASSERT_EQ(behind_a_tab, text_bytes("\t\t!AAAAAAAi"));
+    EXPECT_FALSE(landmark(sealed(0, 0x11, 0x81, behind_a_tab)));
 }
 
 TEST(daisy_recovery, holds_its_bound_on_random_schedules) {

@@ -2,6 +2,7 @@
 import argparse
 import fcntl
 import fnmatch
+import hashlib
 import json
 import os
 import queue
@@ -9,6 +10,7 @@ import shutil
 import signal
 import sys
 import threading
+import time
 from pathlib import Path
 
 from . import faults, run
@@ -20,14 +22,13 @@ EXPLAINED = Path(__file__).resolve().parent / "explained.json"
 def options(arguments=None):
     p = argparse.ArgumentParser(
         prog="tests/mutants",
-        description="Seeds faults into copies of the tree, one at a time, and looks whether the tests or fuzzing notice. "
-                    "Ctrl-C keeps what is known; the same command goes on from there.")
+        description="Seeds faults into copies of the tree, one at a time, and looks whether the tests notice and whether fuzzing does. "
+                    "Ctrl-C keeps what is known; the same command goes on from there, as long as the library stays the same.")
     p.add_argument("--jobs", type=int, default=1, metavar="N", help="copies that work side by side (default 1)")
     p.add_argument("--only", default="", metavar="PATTERN", help="faults whose path, kind or id match, such as '*decoder*', crc or 1a2b3c4d")
-    p.add_argument("--count", type=int, default=240, metavar="N", help="so many faults, a fair sample of all (default 240; 0: all)")
-    p.add_argument("--fuzz-time", type=float, default=60.0, metavar="SECONDS", help="fuzzing for each fault that the tests miss, all targets together (default 60)")
+    p.add_argument("--count", type=int, default=300, metavar="N", help="so many faults, a fair sample of all (default 300; 0: all)")
+    p.add_argument("--fuzz-time", type=float, default=60.0, metavar="SECONDS", help="fuzzing for each fault, all targets together (default 60)")
     p.add_argument("--programs", default="*", metavar="PATTERNS", help="which programs look for them, such as 'test_can,fuzz_can_*' (default all that apply)")
-    p.add_argument("--thorough", action="store_true", help="go on after the first program that notices, to see which others do")
     p.add_argument("--again", action="store_true", help="judge those once more that survived and are not explained, by other programs or since tests were added")
     p.add_argument("--work", type=Path, default=ROOT / "build" / "mutants", metavar="DIR", help="where copies and results go (default build/mutants)")
     p.add_argument("--list", action="store_true", help="print the faults and end")
@@ -43,55 +44,98 @@ def chosen(o):
 
 
 def explained():
+    """{id: {"fault": what it changes, "why": nobody can notice}}."""
     return json.loads(EXPLAINED.read_text()) if EXPLAINED.is_file() else {}
 
 
 class Results:
-    """What is known about each fault, on disk after every one."""
+    """What is known about each fault, on disk after every one. What was found out about another library is forgotten."""
 
-    def __init__(self, path):
-        self.path, self.lock = path, threading.Lock()
-        self.known = json.loads(path.read_text()) if path.is_file() else {}
+    def __init__(self, path, code):
+        self.path, self.code, self.lock = path, code, threading.Lock()
+        everything = json.loads(path.read_text()) if path.is_file() else {}
+        self.known = {ident: r for ident, r in everything.items() if r["code"] == code}
 
-    def add(self, fault, outcome):
+    def add(self, fault, said):
         with self.lock:
-            self.known[fault.ident] = dict(outcome, path=fault.path, line=fault.line, kind=fault.kind, title=fault.title, source=fault.source)
+            known = self.known.setdefault(fault.ident, {"code": self.code, "fault": fault.what})
+            known.update(said)
             part = self.path.with_suffix(".part")
             part.write_text(json.dumps(self.known, indent=1) + "\n")
             os.replace(part, self.path)
 
+    def missing(self, fault, halves, again):
+        """The halves that have yet to judge it."""
+        known = self.known.get(fault.ident, {})
+        if known.get("invalid"):
+            return []
+        return [h for h in halves if h not in known or (again and not known[h] and not noticed(known))]
+
+
+def noticed(known):
+    """Whether any half has."""
+    return any(known.get(h) not in (None, "", "no program") for h in run.HALVES)
+
+
+def library_code():
+    digest = hashlib.sha256()
+    for path in faults.files(ROOT):
+        digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+COLUMNS = ("faults", "when compiled", "by tests", "by fuzzing alone", "explained", "survived", "fuzzed", "by seeds", "by 60 s", "not noticed")
+
+
+def count(known, reasons):
+    """The columns that a fault counts in."""
+    tests, fuzzing = (known.get(h) or "" for h in run.HALVES)
+    fuzzed = "fuzzing" in known and fuzzing != "no program" and "compile time" not in fuzzing
+    found = bool(fuzzing) and fuzzed
+    yield "faults"
+    if "compile time" in tests or (not tests and "compile time" in fuzzing):
+        yield "when compiled"
+    elif tests and tests != "no program":
+        yield "by tests"
+    elif found:
+        yield "by fuzzing alone"
+    else:
+        yield "explained" if reasons else "survived"
+    if fuzzed:
+        yield "fuzzed"
+        yield "by seeds" if "seeds" in fuzzing else "by 60 s" if found else "not noticed"
+
 
 def table(all_faults, results, reasons):
-    """The outcome by kind, then every survivor, as Markdown."""
-    rows = {}
+    """The outcome by kind, then what went unnoticed, as Markdown; and how many need somebody's attention."""
+    rows, invalid, total = {}, 0, dict.fromkeys(COLUMNS, 0)
+    survivors, missed, refuted = [], [], []
     for f in all_faults:
-        r = results.get(f.ident)
-        if not r:
+        known = results.get(f.ident)
+        if not known or known.get("invalid"):
+            invalid += bool(known)
             continue
-        verdict = r["verdict"]
-        if verdict == "survived" and f.ident in reasons:
-            verdict = "explained"
-        elif verdict == "killed":
-            by = r["by"][0]
-            verdict = "compile time" if "compile time" in by else "seeds" if "seeds" in by else "fuzzing" if by.startswith("fuzz_") else "tests"
-        rows.setdefault(f.kind, {}).setdefault(verdict, 0)
-        rows[f.kind][verdict] += 1
-    columns = ("compile time", "tests", "seeds", "fuzzing", "explained", "survived", "invalid")
-    lines = ["| kind | " + " | ".join(columns) + " |", "|---" * (len(columns) + 1) + "|"]
-    total = dict.fromkeys(columns, 0)
-    for kind in sorted(rows):
-        lines.append(f"| {kind} | " + " | ".join(str(rows[kind].get(c, 0)) for c in columns) + " |")
-        for c in columns:
-            total[c] += rows[kind].get(c, 0)
-    lines.append("| all | " + " | ".join(str(total[c]) for c in columns) + " |")
-    real = sum(total.values()) - total["invalid"]
-    lines += ["", f"{real} faults that build, {real - total['survived'] - total['explained']} noticed, {total['explained']} explained as equivalent, {total['survived']} survived."]
-    for f in all_faults:
-        r = results.get(f.ident)
-        if r and r["verdict"] == "survived":
-            why = reasons.get(f.ident)
-            lines.append(f"- {f.ident} {f.title}" + (f": {why}" if why else " — **unexplained**"))
-    return "\n".join(lines), total["survived"]
+        counted = list(count(known, f.ident in reasons))
+        for c in counted:
+            row = rows.setdefault(f.kind, dict.fromkeys(COLUMNS, 0))
+            row[c] += 1
+            total[c] += 1
+        if f.ident in reasons and noticed(known):
+            refuted.append(f)
+        if not noticed(known):
+            survivors.append(f)
+        elif "not noticed" in counted:
+            missed.append(f)
+    lines = ["| kind | " + " | ".join(COLUMNS) + " |", "|---" * (len(COLUMNS) + 1) + "|"]
+    for kind, row in [*sorted(rows.items()), ("all", total)]:
+        lines.append(f"| {kind} | " + " | ".join(str(row[c]) for c in COLUMNS) + " |")
+    lines += ["", f"{total['faults']} faults that build, {invalid} that do not."]
+    for f in survivors:
+        why = reasons.get(f.ident, {}).get("why")
+        lines.append(f"- {f.ident} {f.title}" + (f": {why}" if why else ": **survived**"))
+    lines += [f"- {f.ident} {f.title}: **explained, but noticed**" for f in refuted]
+    lines += ["", "Noticed by tests, not by fuzzing:", *(f"- {f.ident} {f.title}" for f in missed)]
+    return "\n".join(lines), total["survived"] + len(refuted)
 
 
 def main(arguments=None):
@@ -112,33 +156,39 @@ def main(arguments=None):
     except OSError:
         print(f"mutants: another campaign is at work in {o.work}", file=sys.stderr)
         return 2
-    results, reasons = Results(o.work / "results.json"), explained()
+    results, reasons = Results(o.work / "results.json", library_code()), explained()
+    patterns = [p.strip() for p in o.programs.split(",")]
+    halves = [h for h in run.HALVES if any((h == "fuzzing") == p.startswith("fuzz_") or p[0] in "*?[" for p in patterns)]
     todo = queue.Queue()
-    for f in all_chosen:
-        known = results.known.get(f.ident)
-        if known is None or (o.again and known["verdict"] == "survived" and f.ident not in reasons):
-            todo.put(f)
-    print(f"{len(all_chosen)} faults, {len(all_chosen) - todo.qsize()} known from before", flush=True)
+    for f in sorted(all_chosen, key=lambda f: f.ident in reasons):  # nothing is to be expected of those, and they take the longest
+        missing = results.missing(f, halves, o.again and f.ident not in reasons)
+        if missing:
+            todo.put((f, missing))
+    total = todo.qsize()
+    print(f"{len(all_chosen)} faults, {total} of them to be judged", flush=True)
     stop = threading.Event()
-    benches = [run.Bench(ROOT, o.work / f"job{i}", o.programs, o.fuzz_time, o.thorough, stop.is_set) for i in range(o.jobs)]
+    benches = [run.Bench(ROOT, o.work / f"job{i}", patterns, o.fuzz_time, stop.is_set) for i in range(o.jobs)]
     trouble = []
 
     def work(bench):
         try:
             bench.prepare(lambda text: print(text, flush=True))
             while not stop.is_set():
-                fault = todo.get_nowait()
-                outcome = bench.judge(fault)
-                if outcome is None or stop.is_set():
+                fault, missing = todo.get_nowait()
+                started = time.monotonic()
+                said = bench.judge(fault, missing)
+                if said is None or stop.is_set():
                     return
-                results.add(fault, outcome)
-                by = f" by {outcome['by'][0]}" if outcome["by"] else ""
-                print(f"[{sum(x.ident in results.known for x in all_chosen)}/{len(all_chosen)}] {outcome['verdict']}{by}, {outcome['seconds']:.0f} s: {fault.ident} {fault.title}", flush=True)
+                results.add(fault, said)
+                outcome = ", ".join(f"{half}: {how or 'nothing'}" for half, how in said.items())
+                print(f"[{total - todo.qsize()}/{total}] {outcome}, {time.monotonic() - started:.0f} s: {fault.ident} {fault.title}", flush=True)
         except queue.Empty:
             pass
-        except run.Broken as why:
-            trouble.append(str(why))
+        except Exception as why:  # no room on the disk, say: what has not been judged must not look as if it had
+            trouble.append(str(why) if isinstance(why, run.Broken) else repr(why))
             stop.set()
+            for b in benches:
+                b.stop()
 
     def on_signal(number, frame):
         stop.set()
