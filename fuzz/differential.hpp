@@ -25,7 +25,10 @@ int differential(std::span<const std::uint8_t> input) {
             require_same(library_lines<F>(input, silences), reference_of<F>::lines(input, silences), "library and reference say the same about a stream with silences");
         }
     }
-    for (int turn = 0; turn != 2 && !lines.empty(); ++turn) check_encoders<F>(lines[d.below(lines.size())]);
+    for (int turn = 0; turn != 2 && !lines.empty(); ++turn) {
+        const exact<char> line{std::span<const char>(lines[d.below(lines.size())])};
+        check_encoders<F>({line.all().data(), line.all().size()});
+    }
     return 0;
 }
 

@@ -33,7 +33,8 @@ int text(std::span<const std::uint8_t> input) {
         }
     }
     for (int lines = 0; !all.empty() && lines != 8; ++lines) {
-        const std::string_view line = all.substr(0, all.find('\n'));
+        const exact<char> block(std::span<const char>(all).first(std::min(all.find('\n'), all.size())));
+        const std::string_view line(block.all().data(), block.all().size());
         all.remove_prefix(std::min(all.size(), line.size() + 1));
         check_encoders<F>(line);
         check_there_and_back<F>(line);

@@ -19,6 +19,7 @@ class AflSlice(Slice):
 
     def work(self):
         queue = self._out / "default"
+        self._collect(queue, set(os.listdir(self._corpus)))  # what a campaign left there that was killed
         taken = set(os.listdir(self._corpus))
         start = self._gather()
         command = [self._afl["fuzz"], "-V", str(max(1, int(self.seconds))), "-i", str(start), "-o", str(self._out), "-t", "10000"]

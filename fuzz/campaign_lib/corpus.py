@@ -15,8 +15,10 @@ def group(source, name):
 
 
 def seed_folders(source, name):
-    folders = [source / "fuzz" / "corpus" / group(source, name), source / "fuzz" / "regressions" / name]
-    return [f for f in folders if f.is_dir() and any(f.iterdir())]
+    """Seeds, and what targets of the group once failed on."""
+    mine, regressions = group(source, name), source / "fuzz" / "regressions"
+    kin = sorted(f for f in regressions.iterdir() if group(source, f.name) == mine) if regressions.is_dir() else []
+    return [f for f in (source / "fuzz" / "corpus" / mine, *kin) if f.is_dir() and any(f.iterdir())]
 
 
 def dictionary(source, name):

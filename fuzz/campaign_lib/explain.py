@@ -15,14 +15,29 @@ def explain(target, path, printer, tool):
     """`printer` is a build of the target that knows --wire, `tool` the trama program; without them the octets have to do."""
     octets = Path(path).read_bytes()
     text = [f"{len(octets)} octets of input:", hexdump(octets), ""]
-    if target.endswith("_text"):
-        return "\n".join(text + ["As text:", octets.decode(errors="backslashreplace"), ""])
-    if not printer or not tool:
+    form, _, idea = target.partition("_")
+    decode = [str(tool), "decode", form]
+    if idea == "text":
+        text += ["As text:", octets.decode(errors="backslashreplace"), ""]
+    if not tool or (idea != "text" and not printer):
         return "\n".join(text)
-    wire = subprocess.run([str(printer), "--wire", str(path)], capture_output=True, timeout=20, start_new_session=True)
-    form = target.split("_")[0]
-    command = [str(tool), "decode", form] + ([] if form == "can" else ["--hex"])
-    decoded = subprocess.run(command, input=wire.stdout, capture_output=True, timeout=20, start_new_session=True)
-    text += ["On the wire:", wire.stdout.decode(errors="replace").strip(), "", f"As `trama decode {form}` reads it:",
-             decoded.stdout.decode(errors="backslashreplace").strip() or "(nothing)", ""]
-    return "\n".join(text)
+    if idea == "text" and form == "can" and octets.startswith(b"("):
+        wire = octets
+    elif idea == "text":
+        wire, said = run([str(tool), "encode", form, "--unchecked"], octets)
+        text += [f"What `trama encode {form} --unchecked` makes of it:", hexdump(wire) if form != "can" else shown(wire), shown(said), ""]
+    else:
+        wire, _ = run([str(printer), "--wire", str(path)], b"")
+        text += ["On the wire:", shown(wire), ""]
+        decode += [] if form == "can" else ["--hex"]
+    return "\n".join(text + [f"As `trama decode {form}` reads it:", shown(run(decode, wire)[0]) or "(nothing)", ""])
+
+
+def run(command, given):
+    """(output, complaints)."""
+    r = subprocess.run(command, input=given, capture_output=True, timeout=20, start_new_session=True)
+    return r.stdout, r.stderr
+
+
+def shown(octets):
+    return octets.decode(errors="backslashreplace").strip()

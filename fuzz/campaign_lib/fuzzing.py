@@ -16,6 +16,14 @@ class Fuzzing:
         self._running = []
 
     def run(self):
+        try:
+            self._run()
+        except KeyboardInterrupt:  # at once, then; but nothing is left running
+            for s in self._running:
+                s.kill()
+            raise
+
+    def _run(self):
         total = self.state.data["left"]
         length = schedule.slice_seconds(total, self.o.jobs, len(self.c.names))
         last_save = last = time.monotonic()

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from campaign_lib import corpus, display, libfuzzer, options, page, provenance, report, schedule, shrink, signature, state, toolchain
+from campaign_lib import corpus, display, explain, libfuzzer, options, page, provenance, report, schedule, shrink, signature, state, toolchain
 
 STATUS = "#1048576\tREDUCE cov: 312 ft: 1501 corp: 207/31Kb lim: 4096 exec/s: 52428 rss: 61Mb L: 57/1024 MS: 2 CopyPart-Custom-"
 ASAN = """==7==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602 at pc 0x55 bp 0x7f sp 0x7e
@@ -66,6 +66,12 @@ class targets(unittest.TestCase):
         self.assertEqual(corpus.group(self.source, "daisy_text"), "daisy_text")
         self.assertEqual([f.name for f in corpus.seed_folders(self.source, "daisy_text")], ["daisy_text"])
         self.assertEqual(corpus.seed_folders(self.source, "can_stream"), [])
+        for name in ("daisy_roundtrip", "daisy_text", "can_stream"):  # what one target of a group failed on is for all of it
+            folder = self.source / "fuzz" / "regressions" / name
+            folder.mkdir(parents=True)
+            (folder / "find").touch()
+        self.assertEqual([f.name for f in corpus.seed_folders(self.source, "daisy_stream")], ["daisy", "daisy_roundtrip"])
+        self.assertEqual([f.name for f in corpus.seed_folders(self.source, "daisy_text")], ["daisy_text", "daisy_text"])
 
 
 class reading_engines(unittest.TestCase):
@@ -105,6 +111,28 @@ class reading_engines(unittest.TestCase):
 
     def test_no_failure_has_no_name(self):
         self.assertIsNone(signature.signature("Executed 1 runs\n", "can_roundtrip"))
+
+
+class explaining(unittest.TestCase):
+    """With a tool that says what it was called with and what it was given."""
+
+    def said(self, target, octets):
+        with tempfile.TemporaryDirectory() as folder:
+            tool, given = Path(folder) / "tool", Path(folder) / "input"
+            tool.write_text("#!/bin/sh\nprintf '%s %s %s: ' $1 $2 $3\ncat\n")
+            tool.chmod(0o755)
+            given.write_bytes(octets)
+            return explain.explain(target, given, tool, tool)
+
+    def test_json_is_encoded_and_what_came_of_it_decoded(self):
+        self.assertIn("decode can : encode can --unchecked: {}", self.said("can_text", b"{}"))
+        self.assertIn("decode daisy : encode daisy --unchecked: {}", self.said("daisy_text", b"{}"))
+
+    def test_a_log_is_decoded(self):
+        self.assertIn("decode can : (1.0) can0 080#", self.said("can_text", b"(1.0) can0 080#"))
+
+    def test_octets_are_put_on_the_wire_and_decoded(self):
+        self.assertIn("decode gateway --hex: --wire", self.said("gateway_stream", b"x"))
 
 
 class shrinking(unittest.TestCase):

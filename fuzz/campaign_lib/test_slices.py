@@ -6,7 +6,7 @@ import types
 import unittest
 from pathlib import Path
 
-from campaign_lib import corpus, fuzzing, libfuzzer, state
+from campaign_lib import afl, corpus, fuzzing, libfuzzer, state
 
 READ = "echo '#3 INITED cov: 30 ft: 40 corp: 2/9b exec/s: 0 rss: 27Mb' >&2\n"
 RUN = "echo '#100 NEW    cov: 35 ft: 50 corp: 3/9b lim: 4 exec/s: 100 rss: 27Mb L: 5/5' >&2\n"
@@ -95,6 +95,43 @@ class slices(unittest.TestCase):
             s.join(10)
             self.assertFalse(s.is_alive())
             self.assertEqual((s.fed, s.trouble), (False, ""))
+
+
+class afl_slices(unittest.TestCase):
+    def test_what_a_killed_campaign_left_in_afl_s_own_folders_is_kept(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder)
+            for name in ("seeds", "corpus", "raw", "afl/t/default/queue", "afl/t/default/crashes"):
+                (out / name).mkdir(parents=True)
+            (out / "afl/t/default/queue/id:000001,src:0").write_bytes(b"new")
+            (out / "afl/t/default/crashes/id:000000,sig:06").write_bytes(b"bad")
+            anew = out / "fuzz"  # AFL++ begins anew where it finds a queue
+            anew.write_text(f"#!/bin/sh\nrm -r {out}/afl/t/default\n")
+            anew.chmod(0o755)
+            s = afl.AflSlice("t", 1, {"fuzz": str(anew)}, "program", [out / "seeds"], out / "afl/t", out / "corpus", out / "raw", None, set(), out / "log")
+            s.start()
+            s.join(20)
+            self.assertEqual([p.read_bytes() for p in (out / "corpus").iterdir()], [b"new"])
+            self.assertEqual([p.read_bytes() for p in (out / "raw").iterdir()], [b"bad"])
+            self.assertEqual(s.artifacts, [str(p) for p in (out / "raw").iterdir()])
+
+
+class ending(unittest.TestCase):
+    def test_who_asks_twice_leaves_nothing_running(self):
+        with tempfile.TemporaryDirectory() as out:
+            s = libfuzzer.LibFuzzerSlice("t", "fast", 60, lambda left: ["sh", "-c", "trap '' INT; sleep 60 & wait; wait"], None, None, {}, Path(out) / "log")
+            s.start()
+            c = types.SimpleNamespace(o=None, state=state.State(out, 60, ["t"]))
+            f = fuzzing.Fuzzing(c, None)
+            f._running.append(s)
+            time.sleep(0.3)
+
+            def again():
+                raise KeyboardInterrupt
+            f._run = again
+            self.assertRaises(KeyboardInterrupt, f.run)
+            s.join(10)
+            self.assertFalse(s.is_alive())
 
 
 class booking(unittest.TestCase):

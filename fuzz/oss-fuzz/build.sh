@@ -24,11 +24,18 @@ for target in "${targets[@]}"; do
     format=${target%%_*}
     cp "$build_dir/fuzz/$name" "$OUT/"
 
-    seeds=()
-    for folder in "$source_dir/fuzz/corpus/$target" "$source_dir/fuzz/regressions/$target"; do
-        if [ -d "$folder" ]; then seeds+=("$folder"); fi
+    # A target has a corpus of its own or shares its format's, and then also what the others that do once failed on.
+    if [ -d "$source_dir/fuzz/corpus/$target" ]; then
+        seeds=("$source_dir/fuzz/corpus/$target")
+        kin=("$source_dir/fuzz/regressions/$target")
+    else
+        seeds=("$source_dir/fuzz/corpus/$format")
+        kin=("$source_dir/fuzz/regressions/${format}_"*)
+    fi
+    for folder in "${kin[@]}"; do
+        other=$(basename "$folder")
+        if [ -d "$folder" ] && { [ "$other" = "$target" ] || [ ! -d "$source_dir/fuzz/corpus/$other" ]; }; then seeds+=("$folder"); fi
     done
-    if [ ! -d "$source_dir/fuzz/corpus/$target" ]; then seeds+=("$source_dir/fuzz/corpus/$format"); fi
     # python3 packs it, so that no zip program is needed; the names in the archive are flat, as OSS-Fuzz expects.
     python3 - "$OUT/${name}_seed_corpus.zip" "${seeds[@]}" << 'PACK'
 import pathlib, sys, zipfile
