@@ -53,7 +53,8 @@ public:
             require(decoder_.pending() == 0, "nothing is pending after idle()");
         }
     }
-    const std::vector<record>& records() const { return records_; }
+    const std::vector<record>& records() const& { return records_; }
+    std::vector<record> records() && { return std::move(records_); }
     typename F::decoder& decoder() { return decoder_; }
 
 private:
@@ -123,7 +124,7 @@ std::vector<record> transcript(std::span<const typename F::unit> units, auto chu
         l.feed(chunk);
     }
     l.finish();
-    return l.records();
+    return std::move(l).records();
 }
 template <wire_format F>
 std::vector<record> transcript(std::span<const typename F::unit> units) {
