@@ -17,6 +17,7 @@ from . import faults, run
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 EXPLAINED = Path(__file__).resolve().parent / "explained.json"
+RECORDED = Path(__file__).resolve().parent / "results.json"
 
 
 def options(arguments=None):
@@ -31,6 +32,7 @@ def options(arguments=None):
     p.add_argument("--programs", default="*", metavar="PATTERNS", help="which programs look for them, such as 'test_can,fuzz_can_*' (default all that apply)")
     p.add_argument("--again", action="store_true", help="judge those once more that survived and are not explained, by other programs or since tests were added")
     p.add_argument("--work", type=Path, default=ROOT / "build" / "mutants", metavar="DIR", help="where copies and results go (default build/mutants)")
+    p.add_argument("--record", action="store_true", help="write what is known of the faults chosen into tests/mutation/results.json, from where the next campaign goes on")
     p.add_argument("--list", action="store_true", help="print the faults and end")
     return p.parse_args(arguments)
 
@@ -48,33 +50,57 @@ def explained():
     return json.loads(EXPLAINED.read_text()) if EXPLAINED.is_file() else {}
 
 
+NOTHING = "nothing"
+THOROUGH = (NOTHING, f"{NOTHING} in 60 s")  # what the halves say by default when they have not noticed
+
+
 class Results:
     """What is known about each fault, on disk after every one. What was found out about another library is forgotten."""
 
-    def __init__(self, path, code):
+    def __init__(self, path, recorded, code):
         self.path, self.code, self.lock = path, code, threading.Lock()
-        everything = json.loads(path.read_text()) if path.is_file() else {}
-        self.known = {ident: r for ident, r in everything.items() if r["code"] == code}
+        self.known = {**self._read(recorded), **self._read(path)}
+
+    def _read(self, path):
+        data = json.loads(path.read_text()) if path.is_file() else {}
+        return data["faults"] if data.get("code") == self.code else {}
+
+    def write(self, path, chosen=None):
+        """A line for each fault."""
+        lines = [f"{json.dumps(i)}: {json.dumps(r)}" for i, r in self.known.items() if chosen is None or i in chosen]
+        part = path.with_suffix(".part")
+        part.write_text(f'{{"code": "{self.code}", "faults": {{\n' + ",\n".join(lines) + "\n}}\n")
+        os.replace(part, path)
 
     def add(self, fault, said):
         with self.lock:
-            known = self.known.setdefault(fault.ident, {"code": self.code, "fault": fault.what})
-            known.update(said)
-            part = self.path.with_suffix(".part")
-            part.write_text(json.dumps(self.known, indent=1) + "\n")
-            os.replace(part, self.path)
+            self.known.setdefault(fault.ident, {"fault": fault.what}).update(said)
+            self.write(self.path)
 
-    def missing(self, fault, halves, again):
-        """The halves that have yet to judge it."""
+    def missing(self, fault, misses, again):
+        """The halves that have yet to judge it: those that have not, and those that noticed nothing with fewer programs or in less time.
+        `misses` is what a half would say if it noticed nothing now."""
         known = self.known.get(fault.ident, {})
         if known.get("invalid"):
             return []
-        return [h for h in halves if h not in known or (again and not known[h] and not noticed(known))]
+        unsure = {h for h in known if h in misses and known[h].startswith(NOTHING)}
+        return [h for h in misses if h not in known or (h in unsure and ((again and not noticed(known)) or known[h] not in (*THOROUGH, misses[h])))]
+
+
+def misses(patterns, fuzz_time):
+    """What each half that programs of these patterns belong to says when it notices nothing."""
+    some = "" if patterns == ["*"] else " of " + ",".join(patterns)
+    said = {"tests": NOTHING + some, "fuzzing": f"{NOTHING} in {fuzz_time:g} s{some}"}
+    return {h: said[h] for h in run.HALVES if any((h == "fuzzing") == p.startswith("fuzz_") or p[0] in "*?[" for p in patterns)}
+
+
+def has_noticed(how):
+    return bool(how) and how != "no program" and not how.startswith(NOTHING)
 
 
 def noticed(known):
     """Whether any half has."""
-    return any(known.get(h) not in (None, "", "no program") for h in run.HALVES)
+    return any(has_noticed(known.get(h)) for h in run.HALVES)
 
 
 def library_code():
@@ -87,23 +113,22 @@ def library_code():
 COLUMNS = ("faults", "when compiled", "by tests", "by fuzzing alone", "explained", "survived", "fuzzed", "by seeds", "by 60 s", "not noticed")
 
 
-def count(known, reasons):
+def count(known, explained):
     """The columns that a fault counts in."""
     tests, fuzzing = (known.get(h) or "" for h in run.HALVES)
-    fuzzed = "fuzzing" in known and fuzzing != "no program" and "compile time" not in fuzzing
-    found = bool(fuzzing) and fuzzed
+    builds = "compile time" not in fuzzing
     yield "faults"
-    if "compile time" in tests or (not tests and "compile time" in fuzzing):
+    if "compile time" in tests or (not has_noticed(tests) and not builds):
         yield "when compiled"
-    elif tests and tests != "no program":
+    elif has_noticed(tests):
         yield "by tests"
-    elif found:
+    elif has_noticed(fuzzing):
         yield "by fuzzing alone"
     else:
-        yield "explained" if reasons else "survived"
-    if fuzzed:
+        yield "explained" if explained else "survived"
+    if fuzzing and fuzzing != "no program" and builds:
         yield "fuzzed"
-        yield "by seeds" if "seeds" in fuzzing else "by 60 s" if found else "not noticed"
+        yield "not noticed" if not has_noticed(fuzzing) else "by seeds" if "seeds" in fuzzing else "by 60 s"
 
 
 def table(all_faults, results, reasons):
@@ -129,7 +154,8 @@ def table(all_faults, results, reasons):
     lines = ["| kind | " + " | ".join(COLUMNS) + " |", "|---" * (len(COLUMNS) + 1) + "|"]
     for kind, row in [*sorted(rows.items()), ("all", total)]:
         lines.append(f"| {kind} | " + " | ".join(str(row[c]) for c in COLUMNS) + " |")
-    lines += ["", f"{total['faults']} faults that build, {invalid} that do not."]
+    half = sum(any(h not in results[f.ident] for h in run.HALVES) for f in all_faults if f.ident in results and not results[f.ident].get("invalid"))
+    lines += ["", f"{total['faults']} faults that build, {invalid} that do not." + (f" {half} have been judged by one half only." if half else "")]
     for f in survivors:
         why = reasons.get(f.ident, {}).get("why")
         lines.append(f"- {f.ident} {f.title}" + (f": {why}" if why else ": **survived**"))
@@ -156,12 +182,12 @@ def main(arguments=None):
     except OSError:
         print(f"mutants: another campaign is at work in {o.work}", file=sys.stderr)
         return 2
-    results, reasons = Results(o.work / "results.json", library_code()), explained()
+    results, reasons = Results(o.work / "results.json", RECORDED, library_code()), explained()
     patterns = [p.strip() for p in o.programs.split(",")]
-    halves = [h for h in run.HALVES if any((h == "fuzzing") == p.startswith("fuzz_") or p[0] in "*?[" for p in patterns)]
+    unnoticed = misses(patterns, o.fuzz_time)
     todo = queue.Queue()
     for f in sorted(all_chosen, key=lambda f: f.ident in reasons):  # nothing is to be expected of those, and they take the longest
-        missing = results.missing(f, halves, o.again and f.ident not in reasons)
+        missing = results.missing(f, unnoticed, o.again and f.ident not in reasons)
         if missing:
             todo.put((f, missing))
     total = todo.qsize()
@@ -179,8 +205,9 @@ def main(arguments=None):
                 said = bench.judge(fault, missing)
                 if said is None or stop.is_set():
                     return
+                said = {half: how or unnoticed[half] for half, how in said.items()}
                 results.add(fault, said)
-                outcome = ", ".join(f"{half}: {how or 'nothing'}" for half, how in said.items())
+                outcome = ", ".join(f"{half}: {how}" for half, how in said.items())
                 print(f"[{total - todo.qsize()}/{total}] {outcome}, {time.monotonic() - started:.0f} s: {fault.ident} {fault.title}", flush=True)
         except queue.Empty:
             pass
@@ -209,5 +236,7 @@ def main(arguments=None):
         return 2
     text, survived = table(all_chosen, results.known, reasons)
     (o.work / "results.md").write_text(text + "\n")
+    if o.record:
+        results.write(RECORDED, {f.ident for f in all_chosen})
     print(text)
     return 130 if stop.is_set() else 1 if survived else 0

@@ -1,5 +1,6 @@
 """Tests of how faults are derived; nothing is built."""
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -57,6 +58,63 @@ class sampling(unittest.TestCase):
         everything = {f.ident: f.what for f in faults.all_faults(ROOT)}
         for ident, said in main.explained().items():
             self.assertEqual(said["fault"], everything.get(ident), ident)
+
+
+class keeping_results(unittest.TestCase):
+    ALL, SOME = main.misses(["*"], 60), main.misses(["test_*", "fuzz_can_*"], 60)
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path, self.recorded = Path(self.folder.name) / "results.json", Path(self.folder.name) / "recorded.json"
+        self.fault = faults.faults_in("x.hpp", SAMPLE)[0]
+        self.results = main.Results(self.path, self.recorded, "code")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def missing(self, misses=ALL, again=False):
+        return self.results.missing(self.fault, misses, again)
+
+    def test_a_half_judges_once(self):
+        self.assertEqual(self.missing(), ["tests", "fuzzing"])
+        self.results.add(self.fault, {"tests": "nothing"})
+        self.assertEqual(self.missing(), ["fuzzing"])
+        self.results.add(self.fault, {"fuzzing": "fuzz_can_stream (seeds)"})
+        self.assertEqual(self.missing(), [])
+
+    def test_what_some_programs_missed_is_for_all(self):
+        self.assertEqual(main.misses(["test_*"], 60), {"tests": "nothing of test_*"})
+        self.results.add(self.fault, self.SOME)
+        self.assertEqual((self.missing(self.SOME), self.missing()), ([], ["tests", "fuzzing"]))
+        self.results.add(self.fault, self.ALL)
+        self.assertEqual((self.missing(self.SOME), self.missing()), ([], []))
+        self.results.add(self.fault, main.misses(["*"], 5))
+        self.assertEqual(self.missing(), ["fuzzing"])
+
+    def test_again_is_for_those_that_no_half_noticed(self):
+        self.results.add(self.fault, self.ALL)
+        self.assertEqual(self.missing(again=True), ["tests", "fuzzing"])
+        self.results.add(self.fault, {"tests": "test_can (fails)"})
+        self.assertEqual(self.missing(again=True), [])
+
+    def test_results_are_kept_for_the_same_library_alone(self):
+        self.results.add(self.fault, self.ALL)
+        self.results.write(self.recorded)
+        self.path.unlink()
+        self.assertEqual(main.Results(self.path, self.recorded, "code").known, self.results.known)
+        self.assertEqual(main.Results(self.path, self.recorded, "other code").known, {})
+
+    def test_each_fault_counts_where_it_belongs(self):
+        for tests, fuzzing, columns in (("test_can (compile time)", "fuzz_can_stream (compile time)", "when compiled"), ("test_can (hangs)", "no program", "by tests"),
+                                        ("nothing", "no program", "survived"), ("test_can (fails)", "nothing in 60 s", "by tests, fuzzed, not noticed"),
+                                        ("nothing", "fuzz_can_stream (fuzzing)", "by fuzzing alone, fuzzed, by 60 s"), ("test_can (fails)", "fuzz_can_stream (seeds)", "by tests, fuzzed, by seeds")):
+            self.assertEqual(", ".join(main.count({"tests": tests, "fuzzing": fuzzing}, False)), "faults, " + columns)
+
+    def test_survivors_and_refuted_explanations_need_attention(self):
+        known, reasons = {self.fault.ident: self.ALL}, {self.fault.ident: {"why": "so"}}
+        self.assertEqual(main.table([self.fault], known, {})[1], 1)
+        self.assertEqual(main.table([self.fault], known, reasons)[1], 0)
+        self.assertEqual(main.table([self.fault], {self.fault.ident: {"tests": "cli (fails)", "fuzzing": "no program"}}, reasons)[1], 1)
 
 
 class choosing(unittest.TestCase):
