@@ -124,6 +124,35 @@ void mend_shape(M& m, dice& d) {
         });
 }
 
+/// A list gets one value more or less than the message announces, or a field that does not exist something to hold; where the message has such.
+template <has_layout M>
+void break_shape(M& m, dice& d) {
+    if constexpr (!M::layout.fixed)
+        each_index<M>([&]<std::size_t I>() {
+            constexpr auto& one = field_of<M, I>;
+            auto& v = m.*one.member;
+            if (d.one_in(2)) return;
+            if constexpr (requires { v.push_back(v[0]); }) {
+                auto shorter = v;
+                shorter = {};
+                for (std::size_t i = 0; i + 1 < v.size(); ++i) (void)shorter.push_back(v[i]);
+                if (v.size() == 0 || d.one_in(2)) (void)v.push_back(1);
+                else v = shorter;
+            } else if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(v)>>) {
+                if (!one.exists(m)) v = 1;
+            }
+        });
+}
+/// The message as it comes back from the wire: fields that do not exist are empty.
+template <has_layout M>
+M without_absent(M m) {
+    each_index<M>([&]<std::size_t I>() {
+        constexpr auto& one = field_of<M, I>;
+        if (!one.exists(m)) m.*one.member = {};
+    });
+    return m;
+}
+
 /// Where one field decides what another may hold, rules change with the values: gives way until nothing is violated.
 template <has_layout M>
 void mend_values(M& m, dice& d, arena& memory) {
