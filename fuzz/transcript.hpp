@@ -53,7 +53,6 @@ public:
             require(decoder_.pending() == 0, "nothing is pending after idle()");
         }
     }
-    const std::vector<record>& records() const& { return records_; }
     std::vector<record> records() && { return std::move(records_); }
     typename F::decoder& decoder() { return decoder_; }
 

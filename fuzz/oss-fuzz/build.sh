@@ -24,25 +24,16 @@ for target in "${targets[@]}"; do
     format=${target%%_*}
     cp "$build_dir/fuzz/$name" "$OUT/"
 
-    # A target has a corpus of its own or shares its format's, and then also what the others that do once failed on.
-    if [ -d "$source_dir/fuzz/corpus/$target" ]; then
-        seeds=("$source_dir/fuzz/corpus/$target")
-        kin=("$source_dir/fuzz/regressions/$target")
-    else
-        seeds=("$source_dir/fuzz/corpus/$format")
-        kin=("$source_dir/fuzz/regressions/${format}_"*)
-    fi
-    for folder in "${kin[@]}"; do
-        other=$(basename "$folder")
-        if [ -d "$folder" ] && { [ "$other" = "$target" ] || [ ! -d "$source_dir/fuzz/corpus/$other" ]; }; then seeds+=("$folder"); fi
-    done
-    # python3 packs it, so that no zip program is needed; the names in the archive are flat, as OSS-Fuzz expects.
-    python3 - "$OUT/${name}_seed_corpus.zip" "${seeds[@]}" << 'PACK'
+    # python3 packs them, so that no zip program is needed; the names in the archive are flat, as OSS-Fuzz expects.
+    python3 -B - "$OUT/${name}_seed_corpus.zip" "$source_dir" "$target" << 'PACK'
 import pathlib, sys, zipfile
-with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
-    for folder in map(pathlib.Path, sys.argv[2:]):
+archive, source, target = sys.argv[1:]
+sys.path.insert(0, f"{source}/fuzz")
+from campaign_lib import corpus
+with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as seeds:
+    for folder in corpus.seed_folders(pathlib.Path(source), target):
         for path in sorted(p for p in folder.rglob("*") if p.is_file()):
-            archive.write(path, f"{folder.name}-{path.name}")
+            seeds.write(path, f"{folder.name}-{path.name}")
 PACK
 
     dictionary=$source_dir/fuzz/dict/$target.dict

@@ -27,12 +27,12 @@ def options(arguments=None):
                     "Ctrl-C keeps what is known; the same command goes on from there, as long as the library stays the same.")
     p.add_argument("--jobs", type=int, default=1, metavar="N", help="copies that work side by side (default 1)")
     p.add_argument("--only", default="", metavar="PATTERN", help="faults whose path, kind or id match, such as '*decoder*', crc or 1a2b3c4d")
-    p.add_argument("--count", type=int, default=300, metavar="N", help="so many faults, a fair sample of all (default 300; 0: all)")
+    p.add_argument("--count", type=int, default=300, metavar="N", help="so many faults: first those of checksums and slots, then a fair sample of the others (default 300; 0: all)")
     p.add_argument("--fuzz-time", type=float, default=60.0, metavar="SECONDS", help="fuzzing for each fault, all targets together (default 60)")
     p.add_argument("--programs", default="*", metavar="PATTERNS", help="which programs look for them, such as 'test_can,fuzz_can_*' (default all that apply)")
     p.add_argument("--again", action="store_true", help="judge those once more that survived and are not explained, by other programs or since tests were added")
     p.add_argument("--work", type=Path, default=ROOT / "build" / "mutants", metavar="DIR", help="where copies and results go (default build/mutants)")
-    p.add_argument("--record", action="store_true", help="write what is known of the faults chosen into tests/mutation/results.json, from where the next campaign goes on")
+    p.add_argument("--record", action="store_true", help="write what is known into tests/mutation/results.json, from where the next campaign goes on")
     p.add_argument("--list", action="store_true", help="print the faults and end")
     return p.parse_args(arguments)
 
@@ -65,9 +65,9 @@ class Results:
         data = json.loads(path.read_text()) if path.is_file() else {}
         return data["faults"] if data.get("code") == self.code else {}
 
-    def write(self, path, chosen=None):
+    def write(self, path):
         """A line for each fault."""
-        lines = [f"{json.dumps(i)}: {json.dumps(r)}" for i, r in self.known.items() if chosen is None or i in chosen]
+        lines = [f"{json.dumps(i)}: {json.dumps(r)}" for i, r in self.known.items()]
         part = path.with_suffix(".part")
         part.write_text(f'{{"code": "{self.code}", "faults": {{\n' + ",\n".join(lines) + "\n}}\n")
         os.replace(part, path)
@@ -237,6 +237,6 @@ def main(arguments=None):
     text, survived = table(all_chosen, results.known, reasons)
     (o.work / "results.md").write_text(text + "\n")
     if o.record:
-        results.write(RECORDED, {f.ident for f in all_chosen})
+        results.write(RECORDED)
     print(text)
     return 130 if stop.is_set() else 1 if survived else 0

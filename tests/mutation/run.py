@@ -8,8 +8,13 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "fuzz"))
+
+from campaign_lib import corpus  # noqa: E402
 
 # What a compiler says when a check in the tests, or an array bound at compile time, has caught the fault.
 _CHECKED = re.compile(r"error: [^\n]*(static assertion|static_assert|constant expression|constexpr variable|call to consteval)")
@@ -227,9 +232,7 @@ class Bench:
                 command = ["ctest", "-E", "pipes|corners", "--test-dir", str(self.build / part), "-R", r"^cli\.", "--no-tests=error", "--stop-on-failure"]
             return self._verdict(command, 20 + 5 * self.seconds.get(name, 600))
         target = name.removeprefix("fuzz_")
-        seeds = self.tree / "fuzz" / "corpus" / target
-        seeds = seeds if seeds.is_dir() else self.tree / "fuzz" / "corpus" / target.split("_")[0]
-        folders = [str(f) for f in (seeds, self.tree / "fuzz" / "regressions" / target) if f.is_dir()]
+        folders = [str(f) for f in corpus.seed_folders(self.tree, target)]
         if self._verdict([str(program), "-runs=0", *folders], 20 + 5 * self.seconds.get(name, 100)):
             return "seeds"
         seeds_took = self._took
