@@ -63,7 +63,7 @@ class Fault:
 
     @property
     def title(self):
-        return f"{self.path}:{self.line} {self.kind}: `{self.old.strip()}` becomes `{self.new.strip() or 'nothing'}`"
+        return f"{self.path}:{self.line} {self.kind}: `{' '.join(self.old.split())}` becomes `{self.new.strip() or 'nothing'}`"
 
 
 def blanked(text):
