@@ -26,7 +26,7 @@ public:
         reached_[index] = true;
         current_census() = {F::messages::count, [](std::size_t i) -> bool { return reached_[i]; }, name_of};
     }
-    static void note(const record& r) {
+    static void note(const record<F>& r) {
         if (r.code != errc::ok || reached_[r.index]) return;
         F::messages::at(r.index, [&]<class M>() {
             M m{};

@@ -16,6 +16,8 @@ struct octet_traits {
 
     static octets units_from(std::span<const std::uint8_t> input) { return {input.begin(), input.end()}; }
     static octets octets_from(std::span<const std::uint8_t> units) { return {units.begin(), units.end()}; }
+    /// Units behind which a decoder is in step; none where it always is.
+    static octets landmark() { return {}; }
     /// The stream as `trama decode --hex` reads it.
     static void print_wire(std::span<const std::uint8_t> stream) {
         for (const std::uint8_t b : stream) std::printf("%02x", b);

@@ -9,11 +9,14 @@
 namespace trama::fuzz {
 
 /// One event, its bytes copied.
+template <wire_format F>
 struct record {
     errc code{};
     std::uint64_t offset = 0, length = 0;
     std::size_t index = 0;
     octets body, bytes, extra;
+    typename F::envelope envelope{};  ///< Of a packet.
+    std::uint32_t id = 0;             ///< Of can's frames, in errors too.
 
     bool is_packet() const { return code == errc::ok || code == errc::unknown_message; }
     friend bool operator==(const record&, const record&) = default;
@@ -53,7 +56,15 @@ public:
             require(decoder_.pending() == 0, "nothing is pending after idle()");
         }
     }
-    std::vector<record> records() && { return std::move(records_); }
+    /// Time goes on to `now`, where the decoder is told.
+    void tick(std::uint64_t now) {
+        if constexpr (requires { decoder_.tick(now); }) {
+            decoder_.tick(now);
+            std::span<const unit> none;
+            drain(none, none);
+        }
+    }
+    std::vector<record<F>> records() && { return std::move(records_); }
     typename F::decoder& decoder() { return decoder_; }
 
 private:
@@ -73,12 +84,14 @@ private:
         require(e.code != errc::out_of_range && e.code != errc::buffer_too_small, "a decoder reports decoding errors only");
         require(e.length != 0, "an event covers something");
         require(lies_somewhere(e.bytes, chunk), "the bytes of an event lie in the chunk or in the decoder");
-        record r{e.code, e.offset, e.length, e.packet.index(), {}, {e.bytes.begin(), e.bytes.end()}, {}};
+        record<F> r{e.code, e.offset, e.length, e.packet.index(), {}, {e.bytes.begin(), e.bytes.end()}, {}};
+        if constexpr (requires { e.id; }) r.id = e.id;
         if (r.is_packet()) {
             const auto body = e.packet.body();
             require(lies_somewhere(body, chunk), "a packet lies in the chunk or in the decoder");
             require((e.code == errc::ok) == (r.index < F::messages::count), "exactly the packets of known messages are ok");
             r.body.assign(body.begin(), body.end());
+            r.envelope = e.packet.envelope();
             ++packets_[e.code == errc::ok];
         }
         if (e.code != errc::ok) {
@@ -107,7 +120,7 @@ private:
     }
 
     typename F::decoder decoder_{};
-    std::vector<record> records_;
+    std::vector<record<F>> records_;
     std::uint64_t fed_ = 0, reported_ = 0, skipped_ = 0;
     std::array<std::uint64_t, 2> packets_{};
     std::array<std::uint64_t, errc_count> errors_{};
@@ -115,7 +128,7 @@ private:
 
 /// Everything that a new decoder says about `units`, cut by `chunk_size()`.
 template <wire_format F>
-std::vector<record> transcript(std::span<const typename F::unit> units, auto chunk_size) {
+std::vector<record<F>> transcript(std::span<const typename F::unit> units, auto chunk_size) {
     listener<F> l;
     while (!units.empty()) {
         const auto chunk = units.first(std::min<std::size_t>(units.size(), chunk_size()));
@@ -126,7 +139,7 @@ std::vector<record> transcript(std::span<const typename F::unit> units, auto chu
     return std::move(l).records();
 }
 template <wire_format F>
-std::vector<record> transcript(std::span<const typename F::unit> units) {
+std::vector<record<F>> transcript(std::span<const typename F::unit> units) {
     return transcript<F>(units, [&] { return units.size(); });
 }
 

@@ -51,15 +51,18 @@ struct traits<can::format> {
         }
         return frames;
     }
+    /// Classic frames as input; data beyond the DLC are none of a frame's.
     static octets octets_from(std::span<const can::frame> frames) {
         octets out;
         for (const auto& f : frames) {
             out.push_back(static_cast<std::uint8_t>(f.id - 0x80U));
             out.push_back(f.length);
-            out.insert(out.end(), f.data.begin(), f.data.end());
+            out.insert(out.end(), f.data.begin(), f.data.begin() + std::min<std::size_t>(f.length, f.data.size()));
+            out.resize((out.size() + unit_octets - 1) / unit_octets * unit_octets);
         }
         return out;
     }
+    static std::vector<can::frame> landmark() { return {}; }
     /// Whether a frame is one of those that `e` covers, from its offset on.
     static bool belongs(const can::frame& f, const can::event& e) { return f.classic() && f.id == e.id; }
     /// Lets the frame `to` come as `from` did, with the gap in time before it; what a message does not say.

@@ -44,6 +44,8 @@ struct traits<daisy::format> : octet_traits {
         if constexpr (requires { m.evident(); }) return m.evident();
         else return true;
     }
+    /// A ping from the main controller to the first motor board. [daisy §4]
+    static octets landmark() { return {0x04, 0x10, 0x00, 0x03, 0x17}; }
     /// LEN and CRC as the rest of the packet asks for.
     static void mend(octets& packet) {
         packet[0] = static_cast<std::uint8_t>(packet.size() - 1);

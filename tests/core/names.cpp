@@ -7,6 +7,16 @@
 namespace trama {
 namespace {
 
+/// As wide as an own format's may be, and wider than std::size_t on a microcontroller.
+enum class wide : std::int64_t { zero, one };
+consteval auto names(wide) { return std::array{named{wide::zero, "zero"}, named{wide::one, "one"}}; }
+
+TEST(names, tell_of_values_wider_than_a_machine_word) {
+    for (const std::int64_t v : {std::int64_t{1} << 32, (std::int64_t{1} << 32) + 1, std::int64_t{-1}, std::int64_t{2}}) EXPECT_FALSE(is_listed(static_cast<wide>(v))) << v;
+    EXPECT_TRUE(is_listed(wide::zero));
+    EXPECT_TRUE(is_listed(wide::one));
+}
+
 TEST(names, are_found_by_value) {
     EXPECT_EQ(name_of(daisy::trigger::falling_edge), "falling_edge");
     EXPECT_EQ(name_of(gateway::order_type::cross_granted), "cross_granted");

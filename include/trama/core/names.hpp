@@ -33,12 +33,13 @@ constexpr bool is_listed(E value) noexcept {
         return true;
     } else {
         constexpr auto table = names(E{});
+        // As uintmax_t, since a value may be wider than std::size_t.
         constexpr bool dense = [&] {
             for (std::size_t i = 0; i != table.size(); ++i)
-                if (static_cast<std::size_t>(table[i].value) != i) return false;
+                if (static_cast<std::uintmax_t>(table[i].value) != i) return false;
             return true;
         }();
-        if constexpr (dense) return static_cast<std::size_t>(value) < table.size();
+        if constexpr (dense) return static_cast<std::uintmax_t>(value) < table.size();
         for (const auto& e : table)
             if (e.value == value) return true;
         return false;
