@@ -42,6 +42,16 @@ TEST(describe, what_is_allowed_is_the_rule_the_names_or_what_the_wire_carries) {
     EXPECT_EQ(circuit.at("check").flags.size(), 22U);
 }
 
+TEST(describe, a_row_says_nothing_before_it_is_filled) {
+    const layout_row row{};
+    EXPECT_FALSE(row.optional);
+    EXPECT_FALSE(row.from_end);
+    EXPECT_EQ(row.count, 1U) << "no array";
+    EXPECT_EQ(row.allowed, nullptr);
+    EXPECT_EQ(row.constant, '\0');
+    EXPECT_TRUE(row.flags.empty());
+}
+
 TEST(describe, all_others_count_from_the_first_field) {
     daisy::messages::each([]<class M>() {
         if constexpr (M::layout.fixed) {

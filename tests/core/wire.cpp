@@ -42,6 +42,9 @@ TEST(wire, numbers_come_back_within_their_range) {
     expect_carried<tenths<5>>(0, 9999);
 }
 
+/// By which a format knows that columns are digits.
+static_assert(dec<5>::decimal && signed_dec<5>::decimal && tenths<5>::decimal);
+
 TEST(wire, little_endian_is_two_s_complement) {
     std::array<std::uint8_t, 4> b{};
     i32::store(b.data(), 1193046);

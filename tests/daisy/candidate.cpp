@@ -44,6 +44,21 @@ TEST(daisy_candidate, vector_and_scalar_find_the_same_places) {
     EXPECT_GT(found, 1000U);
 }
 
+#if defined(__SSE2__) || (defined(__ARM_NEON) && defined(__aarch64__))
+TEST(daisy_candidate, the_sieve_lets_through_what_has_the_outline_of_a_header) {
+    for (std::uint64_t seed = 1; seed != 2001; ++seed) {
+        test::rng random(seed);
+        const octets bytes = random.one_in(2) ? random.bytes(19) : likely_headers(random, 19);
+        std::uint64_t expected = 0;
+        for (unsigned i = 0; i != 16; ++i) {
+            const unsigned destination = bytes[i + 1], source = bytes[i + 2], command = bytes[i + 3];
+            if ((destination < 0x70 || destination == 0xFF) && source < 0x70 && (command & 0x30) == 0) expected |= std::uint64_t{1} << (i * recovery::bits_per_place);
+        }
+        ASSERT_EQ(recovery::plausible_headers(bytes.data()), expected) << seed;
+    }
+}
+#endif
+
 TEST(daisy_candidate, no_documented_header_is_passed_over) {
     test::rng random(7);
     std::size_t documented = 0;

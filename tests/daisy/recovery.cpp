@@ -117,6 +117,14 @@ TEST(daisy_recovery, a_plain_text_that_holds_a_packet_is_no_landmark) {
     EXPECT_FALSE(landmark(sealed(0, 0x11, 0x81, behind_a_tab)));
 }
 
+TEST(daisy_recovery, a_packet_inside_begins_behind_the_first_byte_at_the_earliest) {
+    const octets ping = sealed(0x10, 0x00, 0x03, {});
+    octets whole{0};
+    append(whole, ping);
+    EXPECT_TRUE(daisy::recovery::holds_short_packet(whole));
+    EXPECT_FALSE(daisy::recovery::holds_short_packet(ping)) << "not the packet itself";
+}
+
 TEST(daisy_recovery, holds_its_bound_on_random_schedules) {
     tally joined, changed;
     for (std::uint64_t seed = 1; seed != 61; ++seed) {

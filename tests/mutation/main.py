@@ -24,7 +24,7 @@ def options(arguments=None):
     p = argparse.ArgumentParser(
         prog="tests/mutants",
         description="Seeds faults into copies of the tree, one at a time, and looks whether the tests notice and whether fuzzing does. "
-                    "Ctrl-C keeps what is known; the same command goes on from there, as long as the library stays the same.")
+                    "Ctrl-C keeps what is known; the same command goes on from there. What is known of a fault is forgotten when its file changes.")
     p.add_argument("--jobs", type=int, default=1, metavar="N", help="copies that work side by side (default 1)")
     p.add_argument("--only", default="", metavar="PATTERN", help="faults whose path, kind or id match, such as '*decoder*', crc or 1a2b3c4d")
     p.add_argument("--count", type=int, default=300, metavar="N", help="so many faults: first those of checksums and slots, then a fair sample of the others (default 300; 0: all)")
@@ -51,30 +51,34 @@ def explained():
 
 
 NOTHING = "nothing"
-THOROUGH = (NOTHING, f"{NOTHING} in 60 s")  # what the halves say by default when they have not noticed
 
 
 class Results:
-    """What is known about each fault, on disk after every one. What was found out about another library is forgotten."""
+    """What is known about each fault, on disk after every one. It is forgotten when the file that the fault is in has changed.
+    `digests` are the files' now."""
 
-    def __init__(self, path, recorded, code):
-        self.path, self.code, self.lock = path, code, threading.Lock()
-        self.known = {**self._read(recorded), **self._read(path)}
+    def __init__(self, path, recorded, digests):
+        self.path, self.digests, self.lock = path, digests, threading.Lock()
+        self.known = self._read(recorded)
+        for ident, said in self._read(path).items():
+            before = self.known.setdefault(ident, said)
+            # What once was noticed stays so, whoever was asked again with less.
+            before.update({k: v for k, v in said.items() if not (k in run.HALVES and has_noticed(before.get(k)) and v.startswith(NOTHING))})
 
     def _read(self, path):
-        data = json.loads(path.read_text()) if path.is_file() else {}
-        return data["faults"] if data.get("code") == self.code else {}
+        everything = json.loads(path.read_text()) if path.is_file() else {}
+        return {i: r for i, r in everything.items() if self.digests.get(r["fault"].partition(":")[0]) == r["file"]}
 
     def write(self, path):
         """A line for each fault."""
         lines = [f"{json.dumps(i)}: {json.dumps(r)}" for i, r in self.known.items()]
         part = path.with_suffix(".part")
-        part.write_text(f'{{"code": "{self.code}", "faults": {{\n' + ",\n".join(lines) + "\n}}\n")
+        part.write_text("{\n" + ",\n".join(lines) + "\n}\n")
         os.replace(part, path)
 
     def add(self, fault, said):
         with self.lock:
-            self.known.setdefault(fault.ident, {"fault": fault.what}).update(said)
+            self.known.setdefault(fault.ident, {"fault": fault.what, "file": self.digests[fault.path]}).update(said)
             self.write(self.path)
 
     def missing(self, fault, misses, again):
@@ -84,7 +88,19 @@ class Results:
         if known.get("invalid"):
             return []
         unsure = {h for h in known if h in misses and known[h].startswith(NOTHING)}
-        return [h for h in misses if h not in known or (h in unsure and ((again and not noticed(known)) or known[h] not in (*THOROUGH, misses[h])))]
+        return [h for h in misses if h not in known or (h in unsure and ((again and not noticed(known)) or not covers(known[h], misses[h])))]
+
+
+def covers(said, miss):
+    """Whether a half that said `said` would say `miss` too: it had as many programs and as much time."""
+    (programs, seconds), (other_programs, other_seconds) = (_asked(x) for x in (said, miss))
+    return programs in ("", other_programs) and seconds >= other_seconds
+
+
+def _asked(miss):
+    """(which programs, "" for all, and for how long) noticed nothing."""
+    head, _, programs = miss.partition(" of ")
+    return programs, float(head.removeprefix(f"{NOTHING} in ").removesuffix(" s")) if " in " in head else 0.0
 
 
 def misses(patterns, fuzz_time):
@@ -95,7 +111,7 @@ def misses(patterns, fuzz_time):
 
 
 def has_noticed(how):
-    return bool(how) and how != "no program" and not how.startswith(NOTHING)
+    return bool(how) and how not in (run.NO_PROGRAM, run.NO_BUILD) and not how.startswith(NOTHING)
 
 
 def noticed(known):
@@ -103,11 +119,9 @@ def noticed(known):
     return any(has_noticed(known.get(h)) for h in run.HALVES)
 
 
-def library_code():
-    digest = hashlib.sha256()
-    for path in faults.files(ROOT):
-        digest.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes())
-    return digest.hexdigest()[:16]
+def digests():
+    """{file: digest of its content}, of the files that faults are in."""
+    return {path.relative_to(ROOT).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()[:12] for path in faults.files(ROOT)}
 
 
 COLUMNS = ("faults", "when compiled", "by tests", "by fuzzing alone", "explained", "survived", "fuzzed", "by seeds", "by 60 s", "not noticed")
@@ -124,9 +138,9 @@ def count(known, explained):
         yield "by tests"
     elif has_noticed(fuzzing):
         yield "by fuzzing alone"
-    else:
+    elif all(known.get(h) for h in run.HALVES):  # else the other half may yet notice
         yield "explained" if explained else "survived"
-    if fuzzing and fuzzing != "no program" and builds:
+    if fuzzing and fuzzing not in (run.NO_PROGRAM, run.NO_BUILD) and builds:
         yield "fuzzed"
         yield "not noticed" if not has_noticed(fuzzing) else "by seeds" if "seeds" in fuzzing else "by 60 s"
 
@@ -147,7 +161,7 @@ def table(all_faults, results, reasons):
             total[c] += 1
         if f.ident in reasons and noticed(known):
             refuted.append(f)
-        if not noticed(known):
+        if "explained" in counted or "survived" in counted:
             survivors.append(f)
         elif "not noticed" in counted:
             missed.append(f)
@@ -182,7 +196,7 @@ def main(arguments=None):
     except OSError:
         print(f"mutants: another campaign is at work in {o.work}", file=sys.stderr)
         return 2
-    results, reasons = Results(o.work / "results.json", RECORDED, library_code()), explained()
+    results, reasons = Results(o.work / "results.json", RECORDED, digests()), explained()
     patterns = [p.strip() for p in o.programs.split(",")]
     unnoticed = misses(patterns, o.fuzz_time)
     todo = queue.Queue()

@@ -2,6 +2,7 @@
 import fnmatch
 import hashlib
 import json
+import math
 import os
 import re
 import resource
@@ -19,6 +20,7 @@ from campaign_lib import corpus  # noqa: E402
 # What a compiler says when a check in the tests, or an array bound at compile time, has caught the fault.
 _CHECKED = re.compile(r"error: [^\n]*(static assertion|static_assert|constant expression|constexpr variable|call to consteval)")
 HALVES = ("tests", "fuzzing")
+NO_PROGRAM, NO_BUILD = "no program", "does not build"  # why a half had nothing to say
 _COPIED = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "include", "src", "tests", "fuzz", "docs", "examples", "bench")
 
 
@@ -57,7 +59,7 @@ class Bench:
         for name in _COPIED:
             top = self.root / name
             for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
-                if path.is_file() and path.suffix != ".pyc" and "mutation" not in path.parts:
+                if path.is_file() and path.suffix != ".pyc" and "mutation" not in path.relative_to(self.root).parts:
                     yield path, self.tree / path.relative_to(self.root)
 
     def _copy(self):
@@ -85,6 +87,7 @@ class Bench:
             self._copy()
             self._configure()
         for step in self.steps(None):
+            self._fuzz_share = 5
             if step not in self.seconds:
                 say(f"without a fault: {step}")
                 self._check(step)
@@ -180,11 +183,13 @@ class Bench:
             steps = self.steps(fault.path)
             for half in halves:
                 mine = [s for s in steps if s.startswith("fuzz_") == (half == "fuzzing")]
-                said[half] = self._first(mine) if mine else "no program"
+                said[half] = self._first(mine) if mine else NO_PROGRAM
                 if self.stopped():
                     return None
                 if said[half] == "invalid":
-                    return {"invalid": True}
+                    if not any(s and s != NO_PROGRAM for h, s in said.items() if h != half):
+                        return {"invalid": True}
+                    said[half] = NO_BUILD
         finally:
             source.write_text(text)
             os.utime(source, ns=(times.st_atime_ns, times.st_mtime_ns))
@@ -193,8 +198,10 @@ class Bench:
 
     def _first(self, steps):
         """The first that notices, and how."""
-        self._fuzz_share = self.fuzz_seconds / len(steps)
-        for step in steps:
+        left = self.fuzz_seconds
+        for i, step in enumerate(steps):
+            self._fuzz_share = math.ceil(left / (len(steps) - i))
+            left -= self._fuzz_share
             verdict = self._step(step)
             if self.stopped() or verdict == "invalid":
                 return verdict
@@ -213,7 +220,7 @@ class Bench:
             if not there.exists() or there.stat().st_mtime_ns != here.st_mtime_ns or there.stat().st_size != here.st_size:
                 shutil.copy2(path, there)
 
-    _fuzz_share = 1.0
+    _fuzz_share = 1
     _took = 0.0
 
     def _step(self, name):
@@ -239,7 +246,7 @@ class Bench:
         scratch = self.folder / "corpus"
         shutil.rmtree(scratch, ignore_errors=True)
         scratch.mkdir()
-        seconds = max(1, round(self._fuzz_share))
+        seconds = max(1, math.ceil(self._fuzz_share + seeds_took))  # it counts from its start, and reads the seeds first
         verdict = self._verdict([str(program), f"-max_total_time={seconds}", "-seed=1", "-timeout=10", "-rss_limit_mb=2048", f"-artifact_prefix={scratch}/", str(scratch), *folders],
                                 seconds + 120)
         self._took = seeds_took

@@ -67,7 +67,7 @@ class keeping_results(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.path, self.recorded = Path(self.folder.name) / "results.json", Path(self.folder.name) / "recorded.json"
         self.fault = faults.faults_in("x.hpp", SAMPLE)[0]
-        self.results = main.Results(self.path, self.recorded, "code")
+        self.results = main.Results(self.path, self.recorded, {"x.hpp": "1"})
 
     def tearDown(self):
         self.folder.cleanup()
@@ -97,18 +97,47 @@ class keeping_results(unittest.TestCase):
         self.results.add(self.fault, {"tests": "test_can (fails)"})
         self.assertEqual(self.missing(again=True), [])
 
-    def test_results_are_kept_for_the_same_library_alone(self):
+    def test_more_time_or_all_programs_ask_again_those_that_missed_it(self):
+        self.results.add(self.fault, {"tests": "test_can (fails)", **{h: m for h, m in self.ALL.items() if h == "fuzzing"}})
+        self.assertEqual(self.missing(main.misses(["*"], 600)), ["fuzzing"])
+        self.assertEqual(self.missing(main.misses(["fuzz_can_*"], 5)), [])
+        for said, miss, covered in (("nothing", "nothing of test_*", True), ("nothing of test_*", "nothing", False), ("nothing in 60 s", "nothing in 7.5 s of fuzz_*", True),
+                                    ("nothing in 60 s of fuzz_*", "nothing in 60 s of fuzz_can_*", False), ("nothing in 5 s", "nothing in 60 s", False)):
+            self.assertEqual(main.covers(said, miss), covered, (said, miss))
+
+    def test_results_are_kept_for_the_same_file_alone(self):
         self.results.add(self.fault, self.ALL)
         self.results.write(self.recorded)
         self.path.unlink()
-        self.assertEqual(main.Results(self.path, self.recorded, "code").known, self.results.known)
-        self.assertEqual(main.Results(self.path, self.recorded, "other code").known, {})
+        self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "1"}).known, self.results.known)
+        self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "2"}).known, {})
+        self.assertEqual(main.Results(self.path, self.recorded, {}).known, {}, "the file is gone")
+
+    def test_what_is_recorded_and_what_is_new_go_together(self):
+        self.results.add(self.fault, {"tests": "test_can (fails)", "fuzzing": "fuzz_can_stream (seeds)"})
+        self.results.write(self.recorded)
+        self.path.unlink()
+        here = main.Results(self.path, self.path, {"x.hpp": "1"})
+        here.add(self.fault, {"tests": "test_can (hangs)"})
+        both = main.Results(self.path, self.recorded, {"x.hpp": "1"}).known[self.fault.ident]
+        self.assertEqual((both["tests"], both["fuzzing"]), ("test_can (hangs)", "fuzz_can_stream (seeds)"))
+        here.add(self.fault, {"tests": "nothing", "fuzzing": "nothing in 1 s"})
+        both = main.Results(self.path, self.recorded, {"x.hpp": "1"}).known[self.fault.ident]
+        self.assertEqual((both["tests"], both["fuzzing"]), ("test_can (fails)", "fuzz_can_stream (seeds)"))
+        here.add(self.fault, {"invalid": True})
+        self.assertTrue(main.Results(self.path, self.recorded, {"x.hpp": "1"}).known[self.fault.ident]["invalid"])
 
     def test_each_fault_counts_where_it_belongs(self):
         for tests, fuzzing, columns in (("test_can (compile time)", "fuzz_can_stream (compile time)", "when compiled"), ("test_can (hangs)", "no program", "by tests"),
                                         ("nothing", "no program", "survived"), ("test_can (fails)", "nothing in 60 s", "by tests, fuzzed, not noticed"),
                                         ("nothing", "fuzz_can_stream (fuzzing)", "by fuzzing alone, fuzzed, by 60 s"), ("test_can (fails)", "fuzz_can_stream (seeds)", "by tests, fuzzed, by seeds")):
             self.assertEqual(", ".join(main.count({"tests": tests, "fuzzing": fuzzing}, False)), "faults, " + columns)
+
+    def test_a_fault_survives_when_both_halves_have_missed_it(self):
+        for tests, fuzzing, said in ((None, "nothing in 60 s", "faults, fuzzed, not noticed"), ("nothing", None, "faults"), ("nothing", "nothing in 60 s", "faults, survived, fuzzed, not noticed"),
+                                     ("nothing", "does not build", "faults, survived"), ("cli (fails)", "does not build", "faults, by tests")):
+            self.assertEqual(", ".join(main.count({"tests": tests, "fuzzing": fuzzing}, False)), said)
+        self.assertEqual(main.table([self.fault], {self.fault.ident: {"fuzzing": "nothing in 60 s"}}, {})[1], 0)
 
     def test_survivors_and_refuted_explanations_need_attention(self):
         known, reasons = {self.fault.ident: self.ALL}, {self.fault.ident: {"why": "so"}}
