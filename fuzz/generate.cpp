@@ -209,6 +209,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: fuzz_generate [--check] FOLDER\n");
         return 2;
     }
+    if (const fs::path folder = argv[argc - 1]; !checking && (fs::exists(folder / "corpus") || fs::exists(folder / "dict")) && !fs::exists(folder / "generate.cpp")) {
+        std::fprintf(stderr, "fuzz_generate: %s holds a corpus or dict that is not its own; give it fuzz/ or a new folder\n", argv[argc - 1]);
+        return 2;
+    }
     files all;
     add_golden(all);
     add_strange<daisy::format>(all);

@@ -141,6 +141,11 @@ std::size_t mutate_text(std::uint8_t* data, std::size_t size, std::size_t max_si
 /// The first lines of one input and the last of another, or a line of one with members of the other's.
 inline std::size_t cross_text(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b, std::uint8_t* out, std::size_t max_size, unsigned seed) {
     dice d(seed);
+    if (plain_octets()) {
+        octets spliced(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(d.below(a.size() + 1)));
+        spliced.insert(spliced.end(), b.begin() + static_cast<std::ptrdiff_t>(d.below(b.size() + 1)), b.end());
+        return hand_over(spliced, out, max_size);
+    }
     strings front = lines_in({reinterpret_cast<const char*>(a.data()), a.size()});
     const strings back = lines_in({reinterpret_cast<const char*>(b.data()), b.size()});
     if (!front.empty() && !back.empty() && d.one_in(2)) {

@@ -33,11 +33,12 @@ def newer_than(folders, when):
     """Inputs that appeared after `when` (seconds since the epoch)."""
     fresh = []
     for folder in folders:
-        try:
-            with os.scandir(folder) as entries:
-                fresh += [e.path for e in entries if e.is_file() and e.stat().st_mtime > when]
-        except FileNotFoundError:
-            pass
+        for path in Path(folder).iterdir() if Path(folder).is_dir() else ():
+            try:
+                if path.is_file() and path.stat().st_mtime > when:
+                    fresh.append(str(path))
+            except FileNotFoundError:  # a corpus lives: libFuzzer replaces inputs by smaller ones
+                pass
     return sorted(fresh)
 
 

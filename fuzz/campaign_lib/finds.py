@@ -6,10 +6,12 @@ import subprocess
 import time
 from pathlib import Path
 
+from .engine import unnamed
 from .explain import explain, hexdump
 from .shrink import shrink
 from .signature import signature
 
+SHRINKING = 45  # seconds for each find, and as many again at each further start
 MORE = 5  # further inputs kept of one fault: what looks like it may be another
 ALIKE = 8  # finds of one target with the same title; inputs beyond them go to the first one's
 
@@ -40,10 +42,10 @@ class Finder:
         self._out, self._state, self._programs, self._tool = Path(out), state, programs, tool
         self._environment, self._source, self._adopt, self._say, self._stop = environment, Path(source), adopt, say, stop
 
-    def run(self, program, path, seconds=20):
+    def run(self, program, path, seconds=20, environment=None):
         try:
-            r = subprocess.run([str(program), "-timeout=10", "-rss_limit_mb=2048", str(path)], capture_output=True, env=self._environment, timeout=seconds,
-                               start_new_session=True, cwd=self._out)
+            r = subprocess.run([str(program), "-timeout=10", "-rss_limit_mb=2048", str(path)], capture_output=True, env=environment or self._environment,
+                               timeout=seconds, start_new_session=True, cwd=self._out)
         except subprocess.TimeoutExpired as late:
             return 1, "ERROR: libFuzzer: timeout\n" + (late.stderr or b"").decode(errors="replace")
         return r.returncode, r.stderr.decode(errors="replace")
@@ -71,7 +73,9 @@ class Finder:
         if variant is None and "-timeout-" in artifact.name:
             # Time-outs go by the clock on the wall: a busy machine makes some that are none.
             self._say(f"{target}: slow once, not again: {artifact.name}")
-            artifact.unlink()
+            home = self._out / "corpus" / target
+            home.mkdir(parents=True, exist_ok=True)
+            artifact.rename(home / digest(artifact))  # from where it was left out
             return None
         ident = self._place(target, title, key)
         if ident in self._state.finds:
@@ -106,31 +110,33 @@ class Finder:
 
     def _file(self, ident, target, original, variant, title, key, output):
         shrinks = variant is not None and "timeout" not in key
-        small = self._shrink(target, variant, key, original) if shrinks else original
+        small, smallest = self._shrink(target, variant, key, original) if shrinks else (original, True)
         folder = self._out / "finds" / f"{target}-{ident}"
         self._write(folder, target, ident, title, variant, original, small, output)
         with self._state.lock:
             self._state.finds[ident] = {
                 "target": target, "targets": [target], "title": title, "key": key, "variant": variant, "count": 1, "size": len(small), "state": "open",
-                "original_size": len(original), "folder": str(folder.relative_to(self._out)), "found": time.time(), "to_minimise": shrinks and self._stop()}
+                "original_size": len(original), "folder": str(folder.relative_to(self._out)), "found": time.time(), "to_minimise": not smallest}
             self._state.save()
         self._say(f"find {target}-{ident}: {title} ({len(small)} octets)")
 
     def _shrink(self, target, variant, key, octets):
+        """(the smallest input found that fails alike, whether there was time to try all)."""
         program = self._programs(target, variant)
+        environment = unnamed(self._environment) if key.startswith("property ") else self._environment  # whose key needs no stack
         trial = self._out / "raw" / f".trial-{target}"
 
         def still_fails(candidate):
             if self._stop():
                 return False
             trial.write_bytes(candidate)
-            code, output = self.run(program, trial)
+            code, output = self.run(program, trial, environment=environment)
             again = signature(output, target) if code != 0 else None
             return again is not None and again[1] == key
 
-        small = shrink(octets, still_fails, 45)
+        small, finished = shrink(octets, still_fails, SHRINKING)
         trial.unlink(missing_ok=True)
-        return small
+        return small, finished and not self._stop()
 
     def _write(self, folder, target, ident, title, variant, original, small, output):
         folder.mkdir(parents=True, exist_ok=True)
@@ -138,17 +144,17 @@ class Finder:
         (folder / "original").write_bytes(original)
         if variant and small != original:
             output = self.run(self._programs(target, variant), folder / "input")[1] or output
-        (folder / "output.txt").write_text(output)
+        (folder / "output.txt").write_text(output, encoding="utf-8")
         try:
             explanation = explain(target, folder / "input", self._programs(target, "coverage"), self._tool)
         except (OSError, subprocess.SubprocessError) as error:
             explanation = f"no explanation: {error}\n\n{hexdump(small)}\n"
-        (folder / "explanation.txt").write_text(f"{target}: {title}\n\n{explanation}")
+        (folder / "explanation.txt").write_text(f"{target}: {title}\n\n{explanation}", encoding="utf-8")
         program = self._programs(target, variant or "checked") or self._programs(target, "fast")
         script = folder / "reproduce.sh"
-        script.write_text("#!/bin/sh\n# " + title.replace("\n", " ") + f'\nexec "{program}" "$@" "$(dirname "$0")/input"\n')
+        script.write_text("#!/bin/sh\n# " + title.replace("\n", " ") + f'\nexec "{program}" "$@" "$(dirname "$0")/input"\n', encoding="utf-8")
         script.chmod(0o755)
-        places = [self._out / "regressions" / target] + ([self._source / "fuzz" / "regressions" / target] if self._adopt else [])
+        places = [self._out / "regressions" / target] + ([self._source / "fuzz" / "regressions" / target] if self._adopt and variant else [])
         for place in places:
             place.mkdir(parents=True, exist_ok=True)
             (place / ident).write_bytes(small)
@@ -161,20 +167,29 @@ class Finder:
             if self._stop():
                 return
             if self._programs(find["target"], "checked"):
-                self._look_again(ident, find)
+                try:
+                    self._look_again(ident, find)
+                except (OSError, subprocess.SubprocessError) as error:
+                    self._say(f"could not look at {find['target']}-{ident} again: {error}")
 
     def _look_again(self, ident, find):
         target, path = find["target"], self._out / find["folder"] / "input"
-        variant, _, key, _ = self.examine(target, path) if path.is_file() else (None, "", "", "")
-        if variant and key == find.setdefault("key", key):
-            return
+        # Once more and once more: not every fault shows every time.
+        for _ in range(3) if path.is_file() else ():
+            variant, _, key, _ = self.examine(target, path)
+            if variant and key == find.setdefault("key", key):
+                return
+        variant = variant if path.is_file() else None
         why = "its input shows another fault now" if variant else "its input passes now" if find["variant"] else "it never failed a second time"
-        self._close(ident, find, why)
-        self._say(f"closed {target}-{ident}: {why}")
+        # What fails goes back before the find is closed, so that nothing is lost if it ends here.
         for path in inputs_of(self._out / find["folder"]):
             owner = path.name.rpartition("-")[0] or target
+            if self._stop():
+                return
             if self._programs(owner, "checked") and self.examine(owner, path)[0]:
                 shutil.copy(path, self._out / "raw" / f"{owner}-crash-{digest(path)}")
+        self._close(ident, find, why)
+        self._say(f"closed {target}-{ident}: {why}")
 
     def _close(self, ident, find, why):
         folder = self._out / find["folder"]
@@ -193,9 +208,9 @@ class Finder:
             folder, target, variant = self._out / find["folder"], find["target"], find["variant"]
             if self._stop() or not find.get("to_minimise") or not self._programs(target, variant):
                 continue
-            small = self._shrink(target, variant, find["key"], (folder / "input").read_bytes())
-            output = (folder / "output.txt").read_text(errors="replace")
+            small, smallest = self._shrink(target, variant, find["key"], (folder / "input").read_bytes())
+            output = (folder / "output.txt").read_text(encoding="utf-8", errors="replace")
             self._write(folder, target, ident, find["title"], variant, (folder / "original").read_bytes(), small, output)
             with self._state.lock:
-                find.update(size=len(small), to_minimise=self._stop())
+                find.update(size=len(small), to_minimise=not smallest)
                 self._state.save()

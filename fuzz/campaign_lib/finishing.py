@@ -1,4 +1,6 @@
 """What follows the fuzzing: corpora are merged and minimised, then the lines they reach are measured. An interrupted step is done at the next start."""
+import os
+import signal
 import threading
 import time
 
@@ -24,7 +26,7 @@ class Finishing:
         end = time.monotonic() + seconds
         while process.poll() is None:
             if self.c.stop or time.monotonic() > end:
-                process.kill()
+                os.killpg(process.pid, signal.SIGKILL)  # a merge has a process of its own beneath
                 process.wait()
                 return None
             time.sleep(0.05)

@@ -4,6 +4,7 @@ import time
 from . import afl, corpus, engine, finds, libfuzzer, schedule
 
 SAVE_EVERY = 5.0
+COUNT_EVERY = 2.0  # reading folders costs the fuzzers time
 GRACE = 60.0  # for a slice that does not end by itself: one input may take 10 s, and the machine may be busy
 
 
@@ -14,11 +15,12 @@ class Fuzzing:
         self.c, self.o, self.state = c, c.o, c.state
         self._file = file
         self._running = []
+        self._sizes, self._counted = {}, 0.0  # of the corpora, and when
 
     def run(self):
         try:
             self._run()
-        except KeyboardInterrupt:  # at once, then; but nothing is left running
+        except BaseException:  # whatever ends it, nothing is left running
             for s in self._running:
                 s.kill()
             raise
@@ -38,6 +40,7 @@ class Fuzzing:
             for s in self._running:
                 if s.elapsed > s.seconds + GRACE:
                     s.kill()
+                    s.trouble = f"{s.target} ({s.variant}) did not end in time and was killed; see {self.c.log(s.target)}"
             self._collect()
             if now - last_save > SAVE_EVERY:
                 self.state.save()
@@ -89,14 +92,15 @@ class Fuzzing:
 
     def _libfuzzer_slice(self, name, variant, seconds, known, beside):
         own, program, artifacts = self.c.corpus(name), self.c.program(name, variant), self.c.artifacts_of(name)
-        value_profile = self.state.target(name)["slices"] % 4 == 2
+        value_profile = self.state.target(name)["slices"] // schedule.turns(self.c.tools["afl"] is not None) % 2 == 1
         feed = None if beside else self._feed(name, seconds, known, artifacts)
 
         def command(left):
             return libfuzzer.fuzz_command(program, own, self.c.dictionary(name), artifacts, left, value_profile)
 
         return libfuzzer.LibFuzzerSlice(name, variant, seconds, command, feed, lambda artifact: corpus.leave_out(own, artifact),
-                                     engine.unnamed(self.c.environment), self.c.log(name), value_profile)
+                                     engine.unnamed(self.c.environment), self.c.log(name), value_profile,
+                                        self.c.artifacts.qsize)
 
     def _feed(self, name, seconds, known, artifacts):
         """The command that merges seeds, and what targets of the same kind found, into the corpus; None when there is nothing new."""
@@ -134,10 +138,12 @@ class Fuzzing:
         to_come = schedule.to_come(seconds, self.state.data["left"], self.o.jobs)
         known = self.state.open_finds().values()
         rows = []
+        if time.monotonic() - self._counted > COUNT_EVERY:
+            self._sizes, self._counted = {name: corpus.count(self.c.corpus(name)) for name in self.c.names}, time.monotonic()
         for name in self.c.names:
             t = self.state.target(name)
             live = [s for s in self._running if s.target == name]
             rows.append({"name": name, "running": [s.variant for s in live], "rate": sum(s.rate for s in live), "executions": t["executions"],
-                         "coverage": t["coverage"], "corpus": corpus.count(self.c.corpus(name)), "new": t["new"],
+                         "coverage": t["coverage"], "corpus": self._sizes[name], "new": t["new"],
                          "finds": sum(name in f["targets"] for f in known), "seconds": seconds[name], "left": to_come[name]})
         return rows

@@ -1,6 +1,7 @@
 """A slice of libFuzzer, its commands and what it says."""
 import re
 import subprocess
+import time
 
 from .engine import Slice
 
@@ -25,22 +26,29 @@ class LibFuzzerSlice(Slice):
     what others found into the corpus, None when there is nothing; `command(seconds)` is the fuzzer's."""
 
     HOPELESS = 5  # ends in a row before the corpus was read, without an input to leave out
+    BACKLOG = 64  # failing inputs that nobody has filed yet, at which it waits
 
-    def __init__(self, name, variant, seconds, command, feed, leave_out, environment, log, value_profile=False):
+    def __init__(self, name, variant, seconds, command, feed, leave_out, environment, log, value_profile=False, backlog=lambda: 0):
         super().__init__(name, variant, seconds)
         self._command, self._feed, self._leave_out, self._environment, self._log = command, feed, leave_out, environment, log
+        self._backlog = backlog
         self.value_profile = value_profile
         self._before = 0  # executions of the processes that ended
         self._read = False  # whether this process has read its corpus
 
     def work(self):
-        with open(self._log, "a", errors="replace") as log:
+        with open(self._log, "a", errors="replace", buffering=1) as log:
             if self._feed:
                 self._merging = True
                 self.fed = self._follow(self._feed, log, self._take_artifact) == 0
                 self._merging = False
+                if not self.fed and not self._stopping:
+                    self.trouble = f"{self.target} ({self.variant}) could not read seeds and what other targets found; see {self._log}"
             hopeless = 0
             while not self._stopping and self.elapsed <= max(0, self.seconds - 1) and hopeless < self.HOPELESS:
+                if self._backlog() >= self.BACKLOG:
+                    time.sleep(0.2)
+                    continue
                 known, self._read = len(self.artifacts), False
                 code = self._follow(self._command(self.seconds - self.elapsed), log, self._take)
                 self._before = self.executions
@@ -96,7 +104,7 @@ def fuzz_command(program, corpus, dictionary, artifacts, seconds, value_profile)
 
 def merge_command(program, into, folders, artifacts, seconds):
     """Adds to `into` what the folders add to its coverage. It survives inputs that fail, and what it takes stays: seeds that are only read
-    are forgotten when the slice ends."""
+    are forgotten when the slice ends. libFuzzer looks at the time only between inputs of one process, so that it may take longer."""
     return [str(program), "-merge=1", *_limits(artifacts, seconds), str(into), *map(str, folders)]
 
 

@@ -1,6 +1,7 @@
 """The campaign from start to report."""
 import fcntl
 import queue
+import shutil
 import signal
 import sys
 import threading
@@ -22,8 +23,9 @@ class Campaign:
         self.state = state.State(o.out, o.time, self.names, code)
         self.programs = {}
         self.artifacts = queue.Queue()
-        self.environment = engine.sanitizer_environment(self.tools["symbolizer"])
-        for name in ("corpus", "raw", "finds", "regressions", "logs", "afl", "feed"):
+        self.environment = dict(engine.sanitizer_environment(self.tools["symbolizer"]), TMPDIR=str(o.out / "tmp"))
+        shutil.rmtree(o.out / "tmp", ignore_errors=True)  # what merges leave there that were killed
+        for name in ("corpus", "raw", "finds", "regressions", "logs", "afl", "feed", "tmp"):
             (o.out / name).mkdir(exist_ok=True)
         self._begin_empty()
         for name in self.names:
@@ -160,7 +162,7 @@ def main(arguments=None):
             print("\n".join(toolchain.targets(o.source, o.targets)))
             return 0
         return Campaign(o).run()
-    except toolchain.CannotRun as trouble:
+    except (toolchain.CannotRun, OSError) as trouble:  # such as a full disk
         print(f"campaign: {trouble}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:

@@ -52,7 +52,7 @@ def _finds(state, out):
     finds = []
     for ident, f in sorted(known.items(), key=lambda item: item[1]["found"]):
         folder = Path(out) / f["folder"]
-        texts = {k: (folder / k).read_text(errors="replace") if (folder / k).is_file() else "" for k in ("explanation.txt", "output.txt")}
+        texts = {k: (folder / k).read_text(encoding="utf-8", errors="replace") if (folder / k).is_file() else "" for k in ("explanation.txt", "output.txt")}
         finds.append(dict(f, id=ident, more=len(list(folder.glob("more/*"))), explanation=texts["explanation.txt"], output=texts["output.txt"][:20000]))
     closed = [{k: f.get(k, "") for k in ("target", "title", "why", "found", "closed", "folder")} | {"id": i} for i, f in state.finds.items() if i not in known]
     return finds, closed
@@ -90,5 +90,5 @@ def summary(data):
 def write(out, data):
     for name, text in (("report.json", json.dumps(data, indent=1) + "\n"), ("report.html", page(data))):
         part = Path(out) / (name + ".part")
-        part.write_text(text)
+        part.write_text(text, encoding="utf-8")
         os.replace(part, Path(out) / name)

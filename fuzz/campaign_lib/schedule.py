@@ -3,13 +3,21 @@
 
 def slice_seconds(left, jobs, count):
     """So long that starting up, when the whole corpus is read, does not matter; so short that every target gets its turns."""
-    return max(5.0, min(240.0, left * jobs / max(1, count) / 4))
+    return max(5.0, min(120.0, left * jobs / max(1, count) / 8))
+
+
+def _order(with_afl):
+    return ("fast", "checked", "afl") if with_afl else ("fast", "checked")
+
+
+def turns(with_afl):
+    """After so many slices the variants begin anew."""
+    return len(_order(with_afl))
 
 
 def variant_of(turn, with_afl):
     """fast and checked take turns; AFL++ joins every third one where it is installed."""
-    order = ("fast", "checked", "afl") if with_afl else ("fast", "checked")
-    return order[turn % len(order)]
+    return _order(with_afl)[turn % turns(with_afl)]
 
 
 def next_target(names, seconds, running):

@@ -3,7 +3,8 @@ import time
 
 
 def shrink(octets, still_fails, seconds, now=time.monotonic):
-    """Delta debugging: the smallest input found in time for which `still_fails` holds. First pieces go, then octets become 0."""
+    """Delta debugging: the smallest input found in time for which `still_fails` holds, and whether there was time to try all. First
+    pieces go, then octets become 0."""
     end = now() + seconds
     size = max(1, len(octets) // 2)
     while octets and now() < end:
@@ -24,4 +25,4 @@ def shrink(octets, still_fails, seconds, now=time.monotonic):
             plainer = octets[:at] + b"\0" + octets[at + 1:]
             if still_fails(plainer):
                 octets = plainer
-    return octets
+    return octets, now() < end

@@ -33,9 +33,10 @@ class State:
         if changed:
             self._put_aside()
         self.data["code"] = code or self.data["code"]
-        # An interrupted campaign goes on with what it had left; a finished one, other code or another time start a round on the same corpora.
+        # An interrupted campaign goes on with what it had left; a finished one, other code, targets or time start a round on the same corpora.
         unfinished = self.data["left"] > 0 or self.data["phase"] in ("merging", "measuring")
-        self.resumed = bool(found) and unfinished and not changed and self.data.get("asked") == asked_seconds
+        self.resumed = bool(found) and unfinished and not changed and self.data.get("asked") == asked_seconds and self.data.get("chosen", names) == names
+        self.data["chosen"] = names
         if not self.resumed:
             self.data.update(left=asked_seconds, asked=asked_seconds, rounds=self.data["rounds"] + 1, phase="fuzzing")
         for name in names:
@@ -83,7 +84,7 @@ class State:
     def save(self):
         with self.lock:
             part = self.path.with_suffix(".part")
-            part.write_text(json.dumps(self.data, indent=1))
+            part.write_text(json.dumps(self.data, indent=1), encoding="utf-8")
             os.replace(part, self.path)
 
     def add_point(self, name, coverage, features=0):

@@ -1,11 +1,13 @@
 """Tests of the campaign's parts that need no compiler."""
 import argparse
+import contextlib
 import hashlib
 import io
 import json
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 from campaign_lib import corpus, display, explain, libfuzzer, options, page, provenance, report, schedule, shrink, signature, state, toolchain
@@ -34,6 +36,14 @@ class command_line(unittest.TestCase):
         for text in ("", "m", "10x", "ten", "-5", "0", "5m junk"):
             with self.assertRaises(argparse.ArgumentTypeError, msg=text):
                 options.duration(text)
+
+
+    def test_refuses_paths_that_a_shell_takes_apart(self):
+        said = io.StringIO()
+        with self.assertRaises(SystemExit) as end, contextlib.redirect_stderr(said):
+            options.parse(["--out", "/tmp/my projects"])
+        self.assertEqual(end.exception.code, 2)
+        self.assertIn("/tmp/my projects", said.getvalue())
 
 
 class targets(unittest.TestCase):
@@ -138,14 +148,14 @@ class explaining(unittest.TestCase):
 class shrinking(unittest.TestCase):
     def test_keeps_only_what_is_needed(self):
         small = shrink.shrink(b"junk" * 20 + b"a..b" + b"more" * 9, lambda o: b"a" in o and b"b" in o[o.index(b"a"):], 10)
-        self.assertEqual(small, b"ab")
+        self.assertEqual(small, (b"ab", True))
 
     def test_octets_that_do_not_matter_become_zero(self):
-        self.assertEqual(shrink.shrink(b"xyz!", lambda o: len(o) >= 3 and o[-1:] == b"!", 10), b"\0\0!")
+        self.assertEqual(shrink.shrink(b"xyz!", lambda o: len(o) >= 3 and o[-1:] == b"!", 10), (b"\0\0!", True))
 
     def test_stops_when_time_is_up(self):
         ticks = iter(range(10000))
-        self.assertEqual(shrink.shrink(b"abcd", lambda o: True, 0, now=lambda: next(ticks)), b"abcd")
+        self.assertEqual(shrink.shrink(b"abcd", lambda o: True, 0, now=lambda: next(ticks)), (b"abcd", False))
 
 
 class sharing_time(unittest.TestCase):
@@ -154,9 +164,15 @@ class sharing_time(unittest.TestCase):
         self.assertEqual(schedule.next_target(["a", "b", "c"], seconds, {}), "b")
         self.assertEqual(schedule.next_target(["a", "b", "c"], seconds, {"b": 1}), "c")
 
+    def test_all_variants_have_had_a_turn_before_they_begin_anew(self):
+        for with_afl in (False, True):
+            n = schedule.turns(with_afl)
+            self.assertEqual(len({schedule.variant_of(turn, with_afl) for turn in range(n)}), n)
+            self.assertEqual(schedule.variant_of(n, with_afl), schedule.variant_of(0, with_afl))
+
     def test_slices_are_bounded(self):
         self.assertEqual(schedule.slice_seconds(10, 1, 20), 5)
-        self.assertEqual(schedule.slice_seconds(100000, 8, 1), 240)
+        self.assertEqual(schedule.slice_seconds(100000, 8, 1), 120)
 
     def test_what_is_left_fills_up_the_least_served_first(self):
         self.assertEqual(schedule.to_come({"a": 10.0, "b": 0.0}, 10, 1), {"a": 0.0, "b": 10.0})
@@ -248,6 +264,15 @@ class keeping_state(unittest.TestCase):
         self.assertEqual(s.target("can_stream")["features"], 36)
 
 
+    def test_other_targets_start_a_round_of_their_own(self):
+        code = {"commit": "1", "digest": "1"}
+        for names, resumed in ((["can_stream"], False), (["daisy_stream"], False), (["daisy_stream"], True)):
+            s = state.State(self.out, 60, names, code)
+            self.assertEqual(s.resumed, resumed, names)
+            s.data["left"] = 20
+            s.save()
+
+
 class provenance_of_code(unittest.TestCase):
     def test_the_digest_is_of_what_is_compiled_and_how(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -312,6 +337,22 @@ class corpora(unittest.TestCase):
             self.assertTrue(corpus.leave_out(Path(out), "/raw/can_stream-crash-" + hashlib.sha1(long[:4096]).hexdigest()))
             self.assertFalse(corpus.leave_out(Path(out), "/raw/can_stream-crash-" + hashlib.sha1(b"other").hexdigest()))
             self.assertEqual([p.name for p in Path(out).iterdir()], ["good"])
+
+
+    def test_an_input_that_goes_while_they_are_listed_takes_no_other_with_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in "abc":
+                (Path(folder) / name).write_bytes(b"x")
+            plain = Path.stat
+
+            def stat(path, **how):
+                if path.name == "b":
+                    raise FileNotFoundError(path)
+                return plain(path, **how)
+
+            with unittest.mock.patch.object(Path, "stat", stat):
+                fresh = corpus.newer_than([Path(folder), Path(folder) / "none"], 0)
+            self.assertEqual([Path(p).name for p in fresh], ["a", "c"])
 
 
 class showing(unittest.TestCase):

@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from campaign_lib import finds, state
+from campaign_lib import engine, finds, state
 
 # Fails when its input contains a word of the file "faults" beside it: "word=what is said".
 PROGRAM = """#!/bin/sh
@@ -37,8 +37,14 @@ class filing(unittest.TestCase):
 
     def start(self):
         self.state = state.State(self.out, 60, ["t"])
-        self.finder = finds.Finder(self.out, self.state, lambda target, variant: self.program if variant == "checked" else None, None, None, self.out,
+        self.finder = finds.Finder(self.out, self.state, lambda target, variant: self.program if variant == "checked" else None, None,
+                                   engine.sanitizer_environment(""), self.out,
                                    False, lambda text: None, lambda: self.stopped)
+
+    def restart_mended(self, *faults):
+        self.faults(*faults)
+        self.start()
+        self.finder.replay()
 
     def take(self, octets):
         raw = self.out / "raw" / f"t-crash-{hashlib.sha1(octets).hexdigest()}"
@@ -104,6 +110,52 @@ class filing(unittest.TestCase):
         self.assertEqual((self.state.finds[ident]["size"], self.state.finds[ident]["to_minimise"]), (5, False))
         self.assertEqual((self.out / "finds" / f"t-{ident}" / "input").read_bytes(), b"apple")
         self.assertEqual((self.out / "finds" / f"t-{ident}" / "original").read_bytes(), b"an apple.")
+
+    def test_a_find_that_there_was_no_time_to_minimise_is_minimised_later(self):
+        finds.SHRINKING, before = 0, finds.SHRINKING
+        try:
+            ident = self.take(b"an apple.")
+        finally:
+            finds.SHRINKING = before
+        self.assertTrue(self.state.finds[ident]["to_minimise"])
+        self.finder.finish()
+        self.assertEqual((self.state.finds[ident]["size"], self.state.finds[ident]["to_minimise"]), (5, False))
+
+    def test_nothing_is_closed_before_all_that_it_hid_has_gone_back(self):
+        apple = self.take(b"an apple.")
+        self.take(b"a pear.")
+        self.stopped = True
+        self.finder._look_again(apple, self.state.finds[apple])
+        self.faults("pear=same words")
+        self.finder._look_again(apple, self.state.finds[apple])
+        self.assertIn(apple, self.state.open_finds())
+        self.stopped = False
+        self.restart_mended("pear=same words")
+        self.assertEqual(self.state.open_finds(), {})
+        self.assertEqual([p.read_bytes() for p in (self.out / "raw").iterdir()], [b"a pear."])
+
+    def test_one_find_that_cannot_be_looked_at_does_not_hold_up_the_others(self):
+        apple, plum = self.take(b"an apple."), self.take(b"plums")
+        examine = self.finder.examine
+        self.finder.examine = lambda target, path: (_ for _ in ()).throw(OSError("no memory")) if b"apple" in path.read_bytes() else examine(target, path)
+        self.faults()
+        self.finder.replay()
+        self.assertEqual(set(self.state.open_finds()), {apple})
+        self.assertNotIn(plum, self.state.open_finds())
+
+    def test_what_was_slow_but_once_goes_back_to_the_corpus(self):
+        raw = self.out / "raw" / "t-timeout-x"
+        raw.write_bytes(b"a stone")
+        self.assertIsNone(self.finder.take("t", raw))
+        self.assertEqual([p.read_bytes() for p in (self.out / "corpus" / "t").iterdir()], [b"a stone"])
+        self.assertEqual(list((self.out / "raw").iterdir()), [])
+
+    def test_only_what_fails_again_is_adopted(self):
+        self.finder._adopt, self.finder._source = True, self.out / "source"
+        self.take(b"a stone")
+        self.assertFalse((self.out / "source").exists())
+        ident = self.take(b"an apple.")
+        self.assertEqual([p.name for p in (self.out / "source" / "fuzz" / "regressions" / "t").iterdir()], [ident])
 
     def test_finds_that_read_alike_are_not_endless(self):
         self.faults(*(f"fault{n}x=same words" for n in range(20)))

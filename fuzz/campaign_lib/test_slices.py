@@ -62,6 +62,16 @@ class slices(unittest.TestCase):
         self.assertEqual(len(self.asked), s.HOPELESS)
         self.assertIn("before it has read its corpus", s.trouble)
 
+    def test_it_waits_while_too_much_is_to_be_filed(self):
+        s = self.slice([READ + DONE], seconds=3)
+        waiting = iter([99, 99, 99])
+        s._backlog = lambda: next(waiting, 0)
+        s.start()
+        time.sleep(0.3)
+        self.assertEqual(self.asked, [])
+        s.join(20)
+        self.assertEqual(len(self.asked), 1)
+
     def test_an_end_without_an_input_is_told(self):
         s = self.run_slice("echo 'out of luck' >&2\nexit 3\n")
         self.assertEqual((len(self.asked), s.trouble), (1, "t (fast) ended with status 3: out of luck"))
@@ -70,6 +80,7 @@ class slices(unittest.TestCase):
         s = self.run_slice(READ + DONE, feed="echo '#9 DONE cov: 9 ft: 9 corp: 9/9b exec/s: 9' >&2\n" + failing("fed"))
         self.assertFalse(s.fed)
         self.assertEqual((len(s.artifacts), s.executions, s.live["coverage"]), (1, 150, 30))
+        self.assertIn("could not read seeds", s.trouble)
         self.asked = []
         self.assertTrue(self.run_slice(READ + DONE, feed="exit 0").fed)
 
