@@ -109,6 +109,17 @@ void add_log(files& all) {
         "(1.500000) vcan0 080#0A0943140B04010C\n(1.500001) vcan0 080#141E\n(2.0) can1 00000081#0102\n(2.1) can1 081#R8\n(2.2) can1 081##1020304\n";
 }
 
+/// Scripts for the sessions: what happens in them has no golden vectors, so that bytes at random have to do.
+void add_scripts(files& all) {
+    for (const char* format : {"daisy", "can", "gateway"})
+        for (std::uint32_t n = 1; n != 9; ++n) {
+            dice d(n);
+            std::string script(64 * n, '\0');
+            for (char& c : script) c = static_cast<char>(d.below(256));
+            all["corpus/" + std::string(format) + "_session/script-" + std::to_string(n)] = script;
+        }
+}
+
 /// Every name in the schema of `M`: fields, nested fields, enumerators.
 template <has_layout M>
 void collect_names(std::set<std::string>& names_seen) {
@@ -219,6 +230,7 @@ int main(int argc, char** argv) {
     add_strange<can::format>(all);
     add_strange<gateway::format>(all);
     add_log(all);
+    add_scripts(all);
     add_dictionaries<daisy::format>(all);
     add_dictionaries<can::format>(all);
     add_dictionaries<gateway::format>(all);

@@ -135,7 +135,7 @@ class Bench:
         # The probes compile quickly and know a whole format; the goldens take longest to compile, and of the targets those with the tool in them.
         first = {"probe_gateway": 0, "probe_can": 1, "probe_daisy": 2, "test_core": 3}
         first |= {f"test_{module}": 2, "test_laws": 5, "cli": 6, "test_golden": 7}
-        ideas = {"stream": 0, "roundtrip": 1, "recovery": 2, "reassembly": 2, "decode": 3, "differential": 4, "text": 5}
+        ideas = {"stream": 0, "roundtrip": 1, "recovery": 2, "reassembly": 2, "decode": 3, "differential": 4, "text": 5, "session": 6}
         order = sorted(tests, key=lambda t: (first.get(t, 4), t)) + sorted(fuzz, key=lambda n: (ideas.get(n.split("_", 2)[2], 9), n))
         chosen = [n for n in order if any(fnmatch.fnmatchcase(n, p) for p in self.programs)]
         return [n for n in chosen if not path or path.endswith(".cpp") or self.tree / path in self._sources_of(n)]

@@ -113,6 +113,11 @@ class keeping_results(unittest.TestCase):
         self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "2"}).known, {})
         self.assertEqual(main.Results(self.path, self.recorded, {}).known, {}, "the file is gone")
 
+    def test_a_half_without_a_program_is_asked_again_at_the_next_start(self):
+        self.results.add(self.fault, {"tests": "test_can (fails)", "fuzzing": "no program"})
+        self.assertEqual(self.missing(), [])
+        self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "1"}).missing(self.fault, self.ALL, False), ["fuzzing"])
+
     def test_what_is_recorded_and_what_is_new_go_together(self):
         self.results.add(self.fault, {"tests": "test_can (fails)", "fuzzing": "fuzz_can_stream (seeds)"})
         self.results.write(self.recorded)

@@ -1,0 +1,192 @@
+#pragma once
+// A ring of a controller and three boards, and lines between them that a script damages.
+#include <set>
+
+#include "formats/daisy.hpp"
+#include "sessions/script.hpp"
+#include "trama/daisy/controller.hpp"
+#include "trama/daisy/node.hpp"
+
+namespace trama::fuzz {
+
+/// A board that carries out what it can be asked, and answers as the schema allows; now and then it cannot.
+struct obliging {
+    dice* d;
+
+    template <daisy::request_message M>
+    daisy::answer operator()(const M& m, daisy::reply_of<M>& reply) {
+        require(is_valid(m), "a board is asked for valid things only");
+        if (d->one_in(16)) return static_cast<daisy::answer>(2 + d->below(8));
+        if constexpr (!requires { reply.description; }) {
+            static arena memory;
+            reply = random_message<daisy::reply_of<M>>(*d, memory);
+            if (d->one_in(32)) change_one_value(reply, *d, memory);
+        }
+        return daisy::answer::done;
+    }
+};
+
+class daisy_session {
+    using F = daisy::format;
+    using board = daisy::node<2, 32>;
+    static constexpr std::size_t boards = 3, in_flight = 4;
+    static constexpr daisy::timing patience{40, 3, 12, 0};
+    static constexpr std::array<daisy::address, boards> addresses{daisy::board(1, 0), daisy::board(1, 1), daisy::board(2, 0)};
+
+public:
+    /// What is sent goes to `wire`, where that is not null.
+    daisy_session(std::span<const std::uint8_t> script, octets* wire) : d_(hash_of(script), script), wire_(wire) {}
+    void run() {
+        for (int steps = 0; steps != 300 && !d_.left().empty(); ++steps) step();
+        settle();
+    }
+
+private:
+    void step() {
+        const std::size_t what = d_.below(16);
+        if (what < 3) request();
+        else if (what == 3) call();
+        else if (what == 4) alarm(d_.below(boards));
+        else if (what == 5) now_ += d_.below(60);
+        else if (what < 9) (void)lines_[d_.below(lines_.size())].damage(d_);
+        else if (what == 9) controller_.forget_boards();
+        else deliver(1 + d_.below(12));
+    }
+
+    void request() {
+        F::messages::at(d_.below(F::messages::count), [&]<class M>() {
+            if constexpr (daisy::request_message<M>) {
+                arena memory;
+                M m = random_message<M>(d_, memory);
+                if (d_.one_in(8)) change_one_value(m, d_, memory);
+                ask(destination(daisy::family_of(M::key)), m, static_cast<unsigned>(d_.below(3)));
+            }
+        });
+    }
+    /// A board that is there, a group, everyone, or nobody.
+    daisy::address destination(daisy::family family) {
+        const auto group = family == daisy::family::common ? static_cast<unsigned>(1 + d_.below(3)) : static_cast<unsigned>(family);
+        const std::size_t which = d_.below(8);
+        return which == 0 ? daisy::everyone : daisy::board(group, which == 1 ? 15U : which == 2 ? 9U : static_cast<unsigned>(which % 2));
+    }
+    template <class M>
+    bool ask(daisy::address to, const M& m, unsigned attempts) {
+        exact<std::uint8_t> out(daisy::max_packet);
+        const std::size_t waiting = controller_.in_flight();
+        const auto size = controller_.request(to, m, now_, out.all(), attempts);
+        require(controller_.in_flight() == waiting + (size ? 1 : 0), "a request that is sent waits, no other does");
+        if (size) {
+            require(is_valid(m), "what is sent is valid");
+            require(open_.insert({to.octet, daisy::command_of(M::key)}).second, "no two requests that one reply could answer are in flight");
+            put(0, out.all().first(*size));
+        }
+        return bool(size);
+    }
+    void call() {
+        exact<std::uint8_t> out(daisy::max_packet);
+        const auto size = controller_.initialise(now_, out.all(), d_.below(boards + 1));
+        if (!size) return;
+        require(open_.insert({daisy::everyone.octet, daisy::command_of(daisy::common::init::key)}).second, "no two calls are in flight");
+        put(0, out.all().first(*size));
+    }
+    void alarm(std::size_t from) {
+        exact<std::uint8_t> out(daisy::max_packet);
+        const auto send = [&](const auto& m) { return boards_[from].send(daisy::board(0, 0), m, now_, out.all()); };
+        arena memory;
+        const auto size = from == 2 ? send(random_message<daisy::servo_motor::switch_alarm>(d_, memory)) : send(random_message<daisy::dc_motor::motor_stress_alarm>(d_, memory));
+        if (size) put(from + 1, out.all().first(*size));
+    }
+
+    /// Whole packets only leave a member.
+    void put(std::size_t line, std::span<const std::uint8_t> bytes) {
+        for (auto rest = bytes; !rest.empty();) {
+            const std::size_t size = std::size_t{rest[0]} + 1;
+            require(size >= daisy::min_packet && size <= rest.size(), "a member sends whole packets");
+            require(daisy::checksum(rest.first(size)) == 0, "a member sends intact packets");
+            rest = rest.subspan(size);
+        }
+        lines_[line].send(bytes);
+        if (wire_ != nullptr) wire_->insert(wire_->end(), bytes.begin(), bytes.end());
+    }
+    /// Every line delivers up to `n` bytes; a byte takes one unit of time.
+    void deliver(std::size_t n) {
+        std::array<octets, boards + 1> arrived;
+        for (std::size_t i = 0; i != arrived.size(); ++i) arrived[i] = lines_[i].take(n);
+        ++now_;
+        exact<std::uint8_t> out(board::max_output);
+        for (std::size_t i = 0; i != boards; ++i) {
+            const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[i])};
+            std::span<const std::uint8_t> in = copy.all();
+            until_done([&] {
+                const auto e = boards_[i].next(in, now_, out.all(), obliging{&d_});
+                put(i + 1, std::span<const std::uint8_t>(out.all()).first(e.written));
+                return e.news != daisy::node_news::need_more;
+            }, 2 * n + 32);
+            require(in.empty(), "need_more means that the chunk is used up");
+        }
+        const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[boards])};
+        std::span<const std::uint8_t> in = copy.all();
+        until_done([&] {
+            const auto e = controller_.next(in, now_, out.all());
+            put(0, std::span<const std::uint8_t>(out.all()).first(e.written));
+            heard(e);
+            return e.news != daisy::controller_news::need_more;
+        }, 2 * n + 32);
+        require(in.empty(), "need_more means that the chunk is used up");
+    }
+    void heard(const daisy::controller_event& e) {
+        using daisy::controller_news;
+        switch (e.news) {
+            case controller_news::reply: case controller_news::board: case controller_news::refused:
+                if (const auto at = open_.find({e.peer.octet, e.command}); at != open_.end()) open_.erase(at);
+                ++replies_;
+                break;
+            case controller_news::absent: case controller_news::complete: case controller_news::failed:
+                require(open_.erase({e.peer.octet, e.command}) == 1, "a request ends once");
+                failures_ += e.news == controller_news::complete ? 0U : 1U;
+                break;
+            default: break;
+        }
+        require(controller_.in_flight() == open_.size(), "a controller knows how many requests wait");
+    }
+    /// As `deliver`; where nothing moves, time goes faster, or it would take long until their patience ends.
+    void wait() {
+        bool still = true;
+        for (const auto& l : lines_) still = still && l.under_way.empty();
+        now_ += still ? 5 : 0;
+        deliver(64);
+    }
+    /// Good lines for as long as it takes: all comes to rest, and a new request is answered, whatever came before.
+    void settle() {
+        const auto at_rest = [&] {
+            bool quiet = open_.empty();
+            for (const auto& b : boards_) quiet = quiet && b.in_flight() == 0;
+            for (const auto& l : lines_) quiet = quiet && l.under_way.empty();
+            return quiet;
+        };
+        for (int steps = 0; !at_rest(); ++steps) {
+            require(steps != 5000, "nothing goes round for ever, and no request waits for ever");
+            wait();
+        }
+        for (int i = 0; i != 15; ++i) wait();
+        require(at_rest(), "nothing moves on a ring at rest");
+        const auto replies = replies_, failures = failures_;
+        require(ask(addresses[1], daisy::common::ping{}, 0), "a ring at rest takes a request");
+        for (int steps = 0; !at_rest(); ++steps) {
+            require(steps != 1000, "a request on a ring at rest comes to an end");
+            wait();
+        }
+        require(replies_ == replies + 1 && failures_ == failures, "on good lines a request is answered, whatever came before");
+    }
+
+    dice d_;
+    octets* wire_;
+    daisy::controller<in_flight, boards> controller_{patience};
+    std::array<board, boards> boards_{board{addresses[0], "first", patience}, board{addresses[1], "second", patience}, board{addresses[2], "third", patience}};
+    std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.
+    std::uint64_t now_ = 0;
+    std::set<std::pair<std::uint8_t, std::uint8_t>> open_;  ///< Destination and command of what waits.
+    std::uint64_t replies_ = 0, failures_ = 0;
+};
+
+}  // namespace trama::fuzz

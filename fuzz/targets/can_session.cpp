@@ -1,0 +1,3 @@
+#include "sessions/can.hpp"
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return trama::fuzz::can_session({data, size}, false).run(), 0; }
+extern "C" void trama_fuzz_print_wire(const std::uint8_t* data, std::size_t size) { trama::fuzz::can_session({data, size}, true).run(); }
