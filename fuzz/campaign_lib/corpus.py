@@ -22,7 +22,7 @@ def seed_folders(source, name):
 
 
 def dictionary(source, name):
-    for stem in (name, name.split("_")[0]):
+    for stem in (name, group(source, name)):
         path = source / "fuzz" / "dict" / f"{stem}.dict"
         if path.is_file():
             return path

@@ -328,6 +328,12 @@ class corpora(unittest.TestCase):
             self.assertEqual([p.name for p in Path(out, "feed").iterdir()], ["good"])
             self.assertFalse(corpus.gather([new / "bad"], Path(out, "feed"), own, known))
 
+    def test_a_target_has_the_dictionary_of_what_it_reads(self):
+        source = Path(__file__).resolve().parent.parent.parent
+        for name, expected in (("can_stream", "can"), ("can_reassembly", "can"), ("can_decode", "can_decode"), ("can_text", "can_text"), ("can_session", None)):
+            found = corpus.dictionary(source, name)
+            self.assertEqual(found and found.stem, expected, name)
+
     def test_an_input_that_fails_leaves_the_corpus_whatever_its_name(self):
         with tempfile.TemporaryDirectory() as out:
             bad, long = b"bad", b"l" * 5000

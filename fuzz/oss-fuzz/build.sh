@@ -37,7 +37,7 @@ with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as seeds:
 PACK
 
     dictionary=$source_dir/fuzz/dict/$target.dict
-    if [ ! -f "$dictionary" ]; then dictionary=$source_dir/fuzz/dict/$format.dict; fi
+    if [ ! -d "$source_dir/fuzz/corpus/$target" ]; then dictionary=$source_dir/fuzz/dict/$format.dict; fi  # it reads what the format's other targets read
     {
         echo "[libfuzzer]"
         echo "max_len = 4096"
