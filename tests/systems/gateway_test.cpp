@@ -428,6 +428,20 @@ TEST(gateway_server, sends_no_violation_and_tells_which_state_it_cannot_send) {
     EXPECT_FALSE(s.unsendable());
 }
 
+TEST(gateway_server, numbers_states_itself_whatever_number_they_hold) {
+    auto s = server_with_cart_1();
+    s.carts().find(1)->state.msg_id = 100000;  // which no record can carry
+    s.carts().find(1)->changed = true;
+    auto circuit = s.circuit();
+    circuit.msg_id = 100000;
+    s.set_circuit(circuit);
+    EXPECT_FALSE(s.unsendable());
+    octets out(gateway::max_record);
+    EXPECT_NE(s.poll(out), 0U);
+    EXPECT_NE(s.poll(out), 0U);
+    EXPECT_EQ(s.poll(out), 0U);
+}
+
 TEST(gateway_server, a_cart_is_busy_until_its_transit_is_done) {
     using gateway::cart_status, gateway::transit_phase;
     auto s = server_with_cart_1();
