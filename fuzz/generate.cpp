@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: fuzz_generate [--check] FOLDER\n");
         return 2;
     }
-    if (const fs::path folder = argv[argc - 1]; !checking && (fs::exists(folder / "corpus") || fs::exists(folder / "dict")) && !fs::exists(folder / "generate.cpp")) {
+    if (const fs::path folder = argv[argc - 1]; !checking && (fs::exists(folder / "corpus") || fs::exists(folder / "dict")) && !fs::exists(folder / "dict/can_decode.dict")) {
         std::fprintf(stderr, "fuzz_generate: %s holds a corpus or dict that is not its own; give it fuzz/ or a new folder\n", argv[argc - 1]);
         return 2;
     }

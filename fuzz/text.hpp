@@ -16,13 +16,15 @@ void check_there_and_back(std::string_view line) {
     std::size_t packets = 0;
     read<F>(decoder, made.units, [&](const typename F::event& e) {
         ++packets;
-        require(e.code == errc::ok && e.offset == before.size() && e.length == made.units.size(), "what encode made is a packet whole");
+        const bool whole = e.code == errc::ok && e.offset == before.size() && e.length == made.units.size();
+        require(whole || !traits<F>::arrives(made.units), "what encode made is a packet whole");
+        if (!whole) return;
         const auto again = tool::encode_line<F>(line_of<F>(e), true);
         require(again.error.empty(), "encode reads what decode prints");
         require(again.units == made.units, "what encode made comes back from decode and encode");
     });
     // In can, an identifier that nobody follows is foreign.
-    require(packets == 1 || decoder.counters().foreign == made.units.size(), "what encode made is one packet");
+    require(packets == 1 || decoder.counters().foreign == made.units.size() || !traits<F>::arrives(made.units), "what encode made is one packet");
 }
 
 template <wire_format F>

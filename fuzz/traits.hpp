@@ -18,6 +18,8 @@ struct octet_traits {
     static octets octets_from(std::span<const std::uint8_t> units) { return {units.begin(), units.end()}; }
     /// Units behind which a decoder is in step; none where it always is.
     static octets landmark() { return {}; }
+    /// Whether a packet that `encode` made, if need be unchecked, arrives behind a landmark whatever it says.
+    static bool arrives(std::span<const std::uint8_t>) { return true; }
     /// The stream as `trama decode --hex` reads it.
     static void print_wire(std::span<const std::uint8_t> stream) {
         for (const std::uint8_t b : stream) std::printf("%02x", b);

@@ -80,8 +80,9 @@ class Fuzzing:
             variant = "fast"
         known = finds.open_inputs(self.o.out, self.state.open_finds())
         make = self._afl_slice if variant == "afl" else self._libfuzzer_slice
+        begun = time.time()  # before it looks what others have found: what they find meanwhile is for the next slice
         s = make(name, variant, seconds, known, bool(beside))
-        s.begun = time.time()
+        s.begun = begun
         s.start()
         self._running.append(s)
 

@@ -44,6 +44,7 @@ class command_line(unittest.TestCase):
             options.parse(["--out", "/tmp/my projects"])
         self.assertEqual(end.exception.code, 2)
         self.assertIn("/tmp/my projects", said.getvalue())
+        self.assertEqual(str(options.parse(["--out", "/tmp/josé/campaña-1"]).out), "/tmp/josé/campaña-1")
 
 
 class targets(unittest.TestCase):

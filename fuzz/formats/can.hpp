@@ -63,6 +63,7 @@ struct traits<can::format> {
         return out;
     }
     static std::vector<can::frame> landmark() { return {}; }
+    static bool arrives(std::span<const can::frame>) { return true; }
     /// Whether a frame is one of those that `e` covers, from its offset on.
     static bool belongs(const can::frame& f, const can::event& e) { return f.classic() && f.id == e.id; }
     /// Lets the frame `to` come as `from` did, with the gap in time before it; what a message does not say.

@@ -46,6 +46,8 @@ struct traits<daisy::format> : octet_traits {
     }
     /// A ping from the main controller to the first motor board. [daisy §4]
     static octets landmark() { return {0x04, 0x10, 0x00, 0x03, 0x17}; }
+    /// One with an address that the document does not know is refused where it holds a packet that the document does know.
+    static bool arrives(std::span<const std::uint8_t> packet) { return packet[1] < 0x70 && packet[2] < 0x70; }
     /// LEN and CRC as the rest of the packet asks for.
     static void mend(octets& packet) {
         packet[0] = static_cast<std::uint8_t>(packet.size() - 1);

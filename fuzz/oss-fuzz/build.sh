@@ -1,6 +1,6 @@
 #!/bin/bash -eu
 # Builds every fuzz target the way OSS-Fuzz and ClusterFuzzLite ask for it: with $CXX and $CXXFLAGS, linked to
-# $LIB_FUZZING_ENGINE, into $OUT, each with its seed corpus, dictionary and options. $WORK holds the build.
+# $LIB_FUZZING_ENGINE, into $OUT, each with its seed corpus, dictionary (if it has one) and options. $WORK holds the build.
 # FUZZ_TARGETS, when set, names the targets to build, such as "daisy_stream can_stream".
 
 source_dir=${SRC}/trama

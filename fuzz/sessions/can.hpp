@@ -29,7 +29,7 @@ class can_session {
     static constexpr can::timing patience{1000, 300, 60, 3, 30};
 
 public:
-    /// What is on the bus is printed where `print` says so, as a log.
+    /// What is sent is printed where `print` says so, as a log; what becomes of it on the bus is not in it.
     can_session(std::span<const std::uint8_t> script, bool print) : d_(hash_of(script), script), print_(print) {
         for (std::uint8_t n = 1; n <= nodes && d_.one_in(2); ++n) master_.poll(n);
         for (std::uint8_t n = 0; n != nodes; ++n) beds_[n].number = n;
@@ -44,13 +44,17 @@ private:
         const std::size_t what = d_.below(16);
         if (what < 3) request();
         else if (what == 3) set_clocks();
-        else if (what == 4) now_ += d_.one_in(8) ? 400 : d_.below(80);
+        else if (what == 4) pass_time();
         else if (what == 5) hear_foreign();
         else if (what == 6) held_[d_.below(members)] = true;
         else (void)bus(true);
         everyone_hears({}, members);
     }
 
+    void pass_time() {
+        const std::uint64_t by = d_.one_in(8) ? 400 : d_.below(80);
+        now_ = d_.one_in(16) ? now_ - std::min(now_, by) : now_ + by;
+    }
     void request() {
         F::messages::at(d_.below(F::messages::count), [&]<class M>() {
             if constexpr (can::request_message<M>) {
@@ -104,9 +108,15 @@ private:
         }
         return false;
     }
+    /// At once, since a broken property ends the program.
+    void print(const can::frame& f) const {
+        if (!print_) return;
+        std::printf("%s\n", traits<F>::log_line(f).c_str());
+        std::fflush(stdout);
+    }
     /// Frames as their sender gave them are messages, whole and valid.
     void watch(std::size_t from, const can::frame& f) {
-        if (print_) std::printf("%s\n", traits<F>::log_line(f).c_str());
+        print(f);
         const exact<can::frame> one(std::span<const can::frame>(&f, 1));
         std::span<const can::frame> in = one.all();
         const auto e = outlets_[from].next(in);
@@ -125,6 +135,7 @@ private:
         octets ten(10);
         for (auto& b : ten) b = static_cast<std::uint8_t>(d_.below(256));
         const can::frame f = traits<F>::frame_of(ten, now_);
+        print(f);
         everyone_hears(std::span<const can::frame>(&f, 1), members);
     }
     void everyone_hears(std::span<const can::frame> frames, std::size_t but_for, std::size_t deaf = members) {

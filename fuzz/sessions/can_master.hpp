@@ -28,15 +28,15 @@ public:
         const bool too_many = full();
         const auto id = machine_.request(m);
         if (too_many) return require(id.code() == errc::buffer_too_small, "a master says that too much waits");
-        m.message_id = 0;
+        m.message_id = id.value_or(0);
         require(bool(id) == is_valid(m), "a master takes what is valid");
-        if (id) note(*id, static_cast<char>(static_cast<unsigned>(M::key) >> 8));
+        if (id) note(m);
     }
     void set_clocks(const can::moment& t) {
         const bool too_many = full();
         const auto id = machine_.set_every_clock(t);
         require(bool(id) == !too_many, "a clock is set unless too much waits");
-        if (id) note(*id, 'C');
+        if (id) note(can::set_clock{can::global_node, *id, t.year, t.month, t.day, t.hour, t.minute, t.second});
     }
     /// One step; false when it needs more.
     bool hear(std::span<const can::frame>& in, std::uint64_t now) {
@@ -44,26 +44,31 @@ public:
         const can::master_event e = machine_.next(in, now);
         if (e.news == master_news::need_more) return false;
         if (e.news != master_news::answered && e.news != master_news::failed && e.news != master_news::asks_again) return true;
-        require(e.attempt >= 1 && e.attempt <= attempts_, "a request is sent as often as the timing says");
+        // 0 of one that was answered before it left: by the late reply to another that looks the same.
+        require(e.attempt <= attempts_ && (e.attempt != 0 || e.news == master_news::answered), "a request is sent as often as the timing says");
         require(e.news != master_news::failed || e.attempt == attempts_, "a request fails after its last attempt");
         const auto at = open_.find(e.message_id);
-        const bool asked = at != open_.end() && at->second == e.letter;
+        const bool asked = at != open_.end() && static_cast<char>(at->second[2]) == e.letter;
         require(asked || (polls_ && e.letter == 'R'), "what a master tells is about a request");
         if (e.news == master_news::asks_again) return true;
-        if (e.news == master_news::answered) judge(e);
+        if (e.news == master_news::answered) judge(e, asked ? at->second : octets{e.node, e.message_id, 'R'});
         if (asked) open_.erase(at);
         return true;
     }
 
 private:
-    void note(std::uint8_t id, char letter) {
-        require(id <= 200 && !open_.contains(id), "requests that wait have different numbers, 0 to 200");
-        open_[id] = letter;
+    template <class M>
+    void note(const M& m) {
+        require(m.message_id <= 200 && !open_.contains(m.message_id), "requests that wait have different numbers, 0 to 200");
+        octets body(body_size(m));
+        store_body(body.data(), m);
+        open_[m.message_id] = body;
     }
-    void judge(const can::master_event& e) const {
+    void judge(const can::master_event& e, const octets& request) const {
         const auto body = e.packet.body();
-        require(e.packet.envelope().id == id_ && body[0] == e.node && body[1] == e.message_id && body[2] == static_cast<std::uint8_t>(e.letter),
-                "a reply has the request's node, number and letter");
+        const bool echo = e.letter != 'R' && e.letter != 'A';
+        require(e.packet.envelope().id == id_ && (echo ? body.size() == request.size() : body.size() > request.size()) && std::equal(request.begin(), request.end(), body.begin()),
+                "a reply is the request itself, or begins with it");
         const auto bad = visit<can::format>(e.packet, [](const auto& m) { require(is_valid(m), "a reply that is taken is valid"); });
         require(!bad, "a reply that is taken loads");
     }
@@ -72,7 +77,7 @@ private:
     unsigned attempts_;
     can::master<nodes, requests> machine_;
     bool polls_ = false;
-    std::map<std::uint8_t, char> open_;  ///< Requests that wait: the letter by number.
+    std::map<std::uint8_t, octets> open_;  ///< The bodies of the requests that wait, by number.
 };
 
 }  // namespace trama::fuzz

@@ -34,8 +34,8 @@ class daisy_session {
     static constexpr std::array<daisy::address, boards> addresses{daisy::board(1, 0), daisy::board(1, 1), daisy::board(2, 0)};
 
 public:
-    /// What is sent goes to `wire`, where that is not null.
-    daisy_session(std::span<const std::uint8_t> script, octets* wire) : d_(hash_of(script), script), wire_(wire) {}
+    /// What is sent is printed where `print` says so; what becomes of it on the line is not in it.
+    daisy_session(std::span<const std::uint8_t> script, bool print) : d_(hash_of(script), script), print_(print) {}
     void run() {
         for (int steps = 0; steps != 300 && !d_.left().empty(); ++steps) step();
         settle();
@@ -47,19 +47,25 @@ private:
         if (what < 3) request();
         else if (what == 3) call();
         else if (what == 4) alarm(d_.below(boards));
-        else if (what == 5) now_ += d_.below(60);
+        else if (what == 5) pass_time();
         else if (what < 9) (void)lines_[d_.below(lines_.size())].damage(d_);
         else if (what == 9) controller_.forget_boards();
         else deliver(1 + d_.below(12));
     }
 
+    void pass_time() {
+        const std::uint64_t by = d_.below(60);
+        now_ = d_.one_in(16) ? now_ - std::min(now_, by) : now_ + by;
+    }
     void request() {
         F::messages::at(d_.below(F::messages::count), [&]<class M>() {
             if constexpr (daisy::request_message<M>) {
                 arena memory;
                 M m = random_message<M>(d_, memory);
                 if (d_.one_in(8)) change_one_value(m, d_, memory);
-                ask(destination(daisy::family_of(M::key)), m, static_cast<unsigned>(d_.below(3)));
+                const auto to = destination(daisy::family_of(M::key));
+                const auto attempts = static_cast<unsigned>(d_.below(3));
+                ask(to, m, attempts);
             }
         });
     }
@@ -106,7 +112,7 @@ private:
             rest = rest.subspan(size);
         }
         lines_[line].send(bytes);
-        if (wire_ != nullptr) wire_->insert(wire_->end(), bytes.begin(), bytes.end());
+        if (print_) print_sent<F>(bytes);
     }
     /// Every line delivers up to `n` bytes; a byte takes one unit of time.
     void deliver(std::size_t n) {
@@ -121,7 +127,7 @@ private:
                 const auto e = boards_[i].next(in, now_, out.all(), obliging{&d_});
                 put(i + 1, std::span<const std::uint8_t>(out.all()).first(e.written));
                 return e.news != daisy::node_news::need_more;
-            }, 2 * n + 32);
+            }, 2 * (n + daisy::max_packet));
             require(in.empty(), "need_more means that the chunk is used up");
         }
         const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[boards])};
@@ -131,7 +137,7 @@ private:
             put(0, std::span<const std::uint8_t>(out.all()).first(e.written));
             heard(e);
             return e.news != daisy::controller_news::need_more;
-        }, 2 * n + 32);
+        }, 2 * (n + daisy::max_packet));
         require(in.empty(), "need_more means that the chunk is used up");
     }
     void heard(const daisy::controller_event& e) {
@@ -164,12 +170,11 @@ private:
             for (const auto& l : lines_) quiet = quiet && l.under_way.empty();
             return quiet;
         };
-        for (int steps = 0; !at_rest(); ++steps) {
+        for (int steps = 0, rests = 0; rests != 15; ++steps) {
             require(steps != 5000, "nothing goes round for ever, and no request waits for ever");
             wait();
+            rests = at_rest() ? rests + 1 : 0;
         }
-        for (int i = 0; i != 15; ++i) wait();
-        require(at_rest(), "nothing moves on a ring at rest");
         const auto replies = replies_, failures = failures_;
         require(ask(addresses[1], daisy::common::ping{}, 0), "a ring at rest takes a request");
         for (int steps = 0; !at_rest(); ++steps) {
@@ -180,7 +185,7 @@ private:
     }
 
     dice d_;
-    octets* wire_;
+    bool print_;
     daisy::controller<in_flight, boards> controller_{patience};
     std::array<board, boards> boards_{board{addresses[0], "first", patience}, board{addresses[1], "second", patience}, board{addresses[2], "third", patience}};
     std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.

@@ -9,8 +9,8 @@ class gateway_session {
     using F = gateway::format;
 
 public:
-    /// What was sent goes to `wire`, where that is not null.
-    gateway_session(std::span<const std::uint8_t> script, octets* wire) : d_(hash_of(script), script), wire_(wire) {}
+    /// What is sent is printed where `print` says so; what becomes of it on the line is not in it.
+    gateway_session(std::span<const std::uint8_t> script, bool print) : d_(hash_of(script), script), print_(print) {}
     void run() {
         for (int steps = 0; steps != 500 && !d_.left().empty(); ++steps) {
             step();
@@ -49,12 +49,15 @@ private:
     }
     void put(byte_line& line, std::span<const std::uint8_t> bytes) {
         line.send(bytes);
-        if (wire_ != nullptr) wire_->insert(wire_->end(), bytes.begin(), bytes.end());
+        if (print_) print_sent<F>(bytes);
     }
     void to_server(std::size_t n) {
         const octets bytes = up_.take(n);
         const exact<std::uint8_t> copy{std::span<const std::uint8_t>(bytes)};
-        server_.take(copy.all(), now_, !client_.damaged, d_.one_in(8), [&](std::span<const std::uint8_t> reply) { put(down_, reply); });
+        server_.take(copy.all(), now_, !client_.damaged, d_.one_in(8), [&](const gateway::server_event& e, std::span<const std::uint8_t> reply) {
+            client_.replies.push_back({e.type, e.msg_id, e.news == gateway::server_news::accepted, e.transit_id});
+            put(down_, reply);
+        });
     }
     void to_client(std::size_t n) {
         const octets bytes = down_.take(n);
@@ -76,6 +79,7 @@ private:
         down_.under_way.clear();
         client_.lose_connection(now_);
         server_.reconnect(d_.one_in(2));
+        client_.damaged = client_.disturbed = false;  // both begin anew
     }
     /// Everything arrives and everybody has time; then a new connection works, whatever the old one went through.
     void settle() {
@@ -86,7 +90,6 @@ private:
         client_.listen({}, now_);
         require(client_.waiting() == 0, "no order waits for ever");
         reconnect();
-        client_.damaged = client_.disturbed = false;
         for (std::size_t i = 0; i != server_.due(); ++i) poll();
         require(client_.states.size() == server_.due() && server_.poll().empty(), "a new connection is told of everything once");
         put(up_, client_.send(gateway::idle_processing{}, now_));
@@ -99,7 +102,7 @@ private:
     }
 
     dice d_;
-    octets* wire_;
+    bool print_;
     watched_client client_;
     watched_server server_;
     byte_line up_, down_;

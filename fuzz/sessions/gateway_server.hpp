@@ -1,5 +1,7 @@
 #pragma once
 // A server of gateway, the application behind it, and what the reference says of its carts' slots.
+#include <algorithm>
+
 #include "formats/gateway.hpp"
 #include "reference/order_slots.hpp"
 #include "sessions/script.hpp"
@@ -24,13 +26,18 @@ public:
     /// Takes `in` and hands replies to `put`. `good`: the bytes are as a client sent them. `refusing`: the application wants none of it.
     void take(std::span<const std::uint8_t> in, std::uint64_t now, bool good, bool refusing, auto&& put) {
         exact<std::uint8_t> out(gateway::server<carts>::max_reply);
-        const auto judge = [&](const auto&, const gateway::cart*) { return refusing ? std::string_view("not \x01 now") : std::string_view{}; };
+        const auto judge = [&]<class M>(const M& m, const gateway::cart* cart) -> std::string_view {
+            judged_ = true;
+            expected_ = refusing ? veto : cart != nullptr ? refusal_of(m, *cart) : "";
+            return refusing ? veto : "";
+        };
         until_done([&] {
+            judged_ = false;
             const auto e = server_.next(session_, in, now, out.all(), judge);
             if (e.news == gateway::server_news::need_more) return false;
             const auto reply = std::span<const std::uint8_t>(out.all()).first(e.written);
             took(e, reply, good);
-            if (!reply.empty()) put(reply);
+            if (!reply.empty()) put(e, reply);
             return true;
         }, 2 * in.size() + 4);
         require(in.empty(), "need_more means that the chunk is used up");
@@ -54,9 +61,7 @@ public:
     }
     /// States that a new connection is told of: all that can be sent.
     std::size_t due() const { return carts + (server_.unsendable() ? 0 : 1); }
-    /// A transit that was accepted, or any name.
     text<10> some_transit(dice& d) const { return transits_.empty() ? text<10>("T1") : transits_[d.below(transits_.size())]; }
-
     /// What the application does: carts move on, their conditions and the circuit change.
     void work(dice& d) {
         gateway::cart& cart = server_.carts()[d.below(carts)];
@@ -100,6 +105,34 @@ public:
     }
 
 private:
+    static constexpr std::string_view veto = "not \x01 now";
+
+    /// Why an order for that cart is refused, by the reference's slots and plain rules; empty when it is not.
+    template <class M>
+    std::string_view refusal_of(const M& m, const gateway::cart& c) const {
+        namespace reason = gateway::reason;
+        auto slots = slots_[c.state.cart_id - 1];
+        if constexpr (gateway::makes_transit(M::key)) {
+            const auto mode = server_.circuit().mode;
+            if (mode == gateway::circuit_mode::manual || mode == gateway::circuit_mode::semi_automatic) return reason::no_transits;
+            if (!slots.order(0)) return reason::no_place;
+            // cart_error, hook_error, maintenance, house_keeping
+            return (static_cast<unsigned>(c.state.cart_status) & (1U | 2U | 32U | 1024U)) != 0 ? reason::not_ready : "";
+        } else if constexpr (M::key == gateway::order_type::cross_granted) {
+            return c.state.cross_confirmation_needed == 1 && c.state.end_node == m.node ? "" : reason::not_waiting;
+        } else if constexpr (requires { m.transit_id; }) {
+            const auto at = std::find(transits_.begin(), transits_.end(), m.transit_id);
+            const auto number = static_cast<int>(at - transits_.begin()) + 1;
+            for (const auto& s : slots.slot) {
+                if (at == transits_.end() || s.use == "unused" || s.order != number) continue;
+                if (to_a_node_[static_cast<std::size_t>(number) - 1]) return reason::no_station;
+                return s.use == "next" || (s.use == "current" && s.phase != "transit_done") ? "" : reason::unknown_transit;
+            }
+            return reason::unknown_transit;
+        } else {
+            return "";
+        }
+    }
     void took(const gateway::server_event& e, std::span<const std::uint8_t> reply, bool good) {
         using gateway::server_news;
         const bool answered = e.news == server_news::accepted || e.news == server_news::refused;
@@ -107,6 +140,9 @@ private:
         require(answered ? !reply.empty() : e.news == server_news::fault || reply.empty(), "an order gets a reply, nothing else does");
         if (reply.empty()) return;
         ++sent_;
+        require(judged_ ? e.reason == expected_ : e.news == server_news::refused, "an order is refused for the reason that the document gives");
+        require(judged_ || !good || e.reason == gateway::reason::unknown_cart, "a valid order is judged, unless it is for no cart");
+        require(!judged_ || e.type == gateway::order_type::idle_processing || (e.cart_id >= 1 && e.cart_id <= carts), "only carts that there are get orders");
         only(reply, [&]<class M>(const M& m) {
             if constexpr (requires { m.src_type; }) {
                 require(m.src_type == e.type && m.src_msg_id == e.msg_id && m.cart_id == e.cart_id, "a reply names the order");
@@ -127,6 +163,7 @@ private:
         const bool accepted = e.news == gateway::server_news::accepted;
         if (accepted && gateway::makes_transit(e.type)) {
             transits_.push_back(e.transit_id);
+            to_a_node_.push_back(e.type == gateway::order_type::go_node || e.type == gateway::order_type::go_parking);
             require(cart.order(static_cast<int>(transits_.size())), "a transit is accepted only where there is a place");
             const auto* slot = server_.carts()[e.cart_id - 1].slots.find(e.transit_id);
             require(slot != nullptr && slot->type == e.type, "an accepted transit has a slot");
@@ -154,6 +191,9 @@ private:
     gateway::server<carts>::session session_ = 0;
     std::array<trama_reference::plain_cart, carts> slots_{};
     std::vector<text<10>> transits_;  ///< In the order in which they were accepted.
+    std::vector<bool> to_a_node_;     ///< Whether that transit has no station.
+    bool judged_ = false;             ///< The application was asked about the latest order.
+    std::string_view expected_;       ///< And this is why it is to be refused.
     std::uint64_t sent_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "random_message.hpp"
+#include "traits.hpp"
 
 namespace trama::fuzz {
 
@@ -25,7 +26,8 @@ struct byte_line {
         const std::size_t kind = d.below(4);
         const auto at = under_way.begin() + static_cast<std::ptrdiff_t>(d.below(under_way.size() + (kind == 3 ? 1 : 0)));
         if (kind == 3) {
-            const std::size_t n = std::min<std::size_t>(d.left().size(), 1 + d.below(40));
+            const std::size_t wanted = 1 + d.below(40);
+            const std::size_t n = std::min(d.left().size(), wanted);
             octets foreign(n);
             for (auto& b : foreign) b = static_cast<std::uint8_t>(d.below(256));
             under_way.insert(at, foreign.begin(), foreign.end());
@@ -38,6 +40,13 @@ struct byte_line {
         return true;
     }
 };
+
+/// At once, since a broken property ends the program.
+template <class F>
+void print_sent(std::span<const std::uint8_t> bytes) {
+    traits<F>::print_wire(bytes);
+    std::fflush(stdout);
+}
 
 /// Calls `step()` while it returns true; a machine that never has enough has hung.
 inline void until_done(auto&& step, std::size_t most) {

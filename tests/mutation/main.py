@@ -67,6 +67,8 @@ class Results:
 
     def _read(self, path):
         everything = json.loads(path.read_text()) if path.is_file() else {}
+        if "faults" in everything:  # as it was written once, without the files' digests
+            everything = {}
         # A half that had no program is asked again, since it may have one by now.
         return {i: {k: v for k, v in r.items() if v != run.NO_PROGRAM} for i, r in everything.items() if self.digests.get(r["fault"].partition(":")[0]) == r["file"]}
 

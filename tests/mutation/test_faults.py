@@ -112,6 +112,8 @@ class keeping_results(unittest.TestCase):
         self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "1"}).known, self.results.known)
         self.assertEqual(main.Results(self.path, self.recorded, {"x.hpp": "2"}).known, {})
         self.assertEqual(main.Results(self.path, self.recorded, {}).known, {}, "the file is gone")
+        self.path.write_text('{"code": "1", "faults": {"a": {"fault": "x.hpp: b"}}}')
+        self.assertEqual(main.Results(self.path, self.path, {"x.hpp": "1"}).known, {}, "an older form")
 
     def test_a_half_without_a_program_is_asked_again_at_the_next_start(self):
         self.results.add(self.fault, {"tests": "test_can (fails)", "fuzzing": "no program"})
@@ -149,6 +151,26 @@ class keeping_results(unittest.TestCase):
         self.assertEqual(main.table([self.fault], known, {})[1], 1)
         self.assertEqual(main.table([self.fault], known, reasons)[1], 0)
         self.assertEqual(main.table([self.fault], {self.fault.ident: {"tests": "cli (fails)", "fuzzing": "no program"}}, reasons)[1], 1)
+
+
+class judging(unittest.TestCase):
+    def judged(self, halves, **says):
+        """What becomes of a fault when each half says so."""
+        with tempfile.TemporaryDirectory() as folder:
+            bench = run.Bench(ROOT, Path(folder), ["*"], 60, lambda: False)
+            bench.tree = Path(folder)
+            (bench.tree / "x.hpp").write_text(SAMPLE)
+            bench.steps = lambda path: ["test_x", "fuzz_can_x"]
+            bench._restore = lambda: None
+            bench._first = lambda steps: says["fuzzing" if steps[0].startswith("fuzz_") else "tests"]
+            return bench.judge(faults.faults_in("x.hpp", SAMPLE)[0], halves)
+
+    def test_what_does_not_build_with_the_tests_is_no_fault(self):
+        self.assertEqual(self.judged(["tests", "fuzzing"], tests="invalid", fuzzing=""), {"invalid": True})
+
+    def test_what_does_not_build_with_fuzzing_alone_is_one(self):
+        self.assertEqual(self.judged(["tests", "fuzzing"], tests="", fuzzing="invalid"), {"tests": "", "fuzzing": "does not build"})
+        self.assertEqual(self.judged(["fuzzing"], fuzzing="invalid"), {"fuzzing": "does not build"})
 
 
 class choosing(unittest.TestCase):
