@@ -2,29 +2,10 @@
 // A ring of a controller and three boards, and lines between them that a script damages.
 #include <set>
 
-#include "formats/daisy.hpp"
-#include "sessions/script.hpp"
+#include "sessions/daisy_board.hpp"
 #include "trama/daisy/controller.hpp"
-#include "trama/daisy/node.hpp"
 
 namespace trama::fuzz {
-
-/// A board that carries out what it can be asked, and answers as the schema allows; now and then it cannot.
-struct obliging {
-    dice* d;
-
-    template <daisy::request_message M>
-    daisy::answer operator()(const M& m, daisy::reply_of<M>& reply) {
-        require(is_valid(m), "a board is asked for valid things only");
-        if (d->one_in(16)) return static_cast<daisy::answer>(2 + d->below(8));
-        if constexpr (!requires { reply.description; }) {
-            static arena memory;
-            reply = random_message<daisy::reply_of<M>>(*d, memory);
-            if (d->one_in(32)) change_one_value(reply, *d, memory);
-        }
-        return daisy::answer::done;
-    }
-};
 
 class daisy_session {
     using F = daisy::format;
@@ -48,7 +29,7 @@ private:
         else if (what == 3) call();
         else if (what == 4) alarm(d_.below(boards));
         else if (what == 5) pass_time();
-        else if (what < 9) (void)lines_[d_.below(lines_.size())].damage(d_);
+        else if (what < 9) damaged_ |= lines_[d_.below(lines_.size())].damage(d_);
         else if (what == 9) controller_.forget_boards();
         else deliver(1 + d_.below(12));
     }
@@ -124,7 +105,7 @@ private:
             const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[i])};
             std::span<const std::uint8_t> in = copy.all();
             until_done([&] {
-                const auto e = boards_[i].next(in, now_, out.all(), obliging{&d_});
+                const auto e = boards_[i].next(in, now_, out.all(), obliging{addresses[i], &d_, &given_});
                 put(i + 1, std::span<const std::uint8_t>(out.all()).first(e.written));
                 return e.news != daisy::node_news::need_more;
             }, 2 * (n + daisy::max_packet));
@@ -146,6 +127,7 @@ private:
             case controller_news::reply: case controller_news::board: case controller_news::refused:
                 if (const auto at = open_.find({e.peer.octet, e.command}); at != open_.end()) open_.erase(at);
                 ++replies_;
+                if (!damaged_ && e.news == controller_news::reply) require(given_.holds(e.peer, e.packet), "a reply says what the board said");
                 break;
             case controller_news::absent: case controller_news::complete: case controller_news::failed:
                 require(open_.erase({e.peer.octet, e.command}) == 1, "a request ends once");
@@ -191,6 +173,8 @@ private:
     std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.
     std::uint64_t now_ = 0;
     std::set<std::pair<std::uint8_t, std::uint8_t>> open_;  ///< Destination and command of what waits.
+    replies_given given_;
+    bool damaged_ = false;  ///< Bytes did not arrive as they were sent.
     std::uint64_t replies_ = 0, failures_ = 0;
 };
 
