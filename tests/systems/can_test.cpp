@@ -277,12 +277,12 @@ TEST(can_sensor_node, keeps_quiet_about_what_is_not_for_it_or_cannot_be) {
 TEST(can_sensor_node, hands_on_the_message_that_it_dealt_with) {
     node n(2, can::master_1, all_four);
     device d;
-    for (const std::uint8_t to : {std::uint8_t{2}, std::uint8_t{1}}) {
-        const frames one{f(0x81, {to, 4, 'R'})};
+    for (const std::uint8_t addressee : {std::uint8_t{2}, std::uint8_t{1}}) {
+        const frames one{f(0x81, {addressee, 4, 'R'})};
         std::span<const frame> in(one);
         const auto e = n.next(in, 0, d);
-        EXPECT_EQ(e.news, to == 2 ? sensor_node_news::executed : sensor_node_news::ignored);
-        EXPECT_EQ(trama::decode<can::read_sensors>(e.packet).value_or(can::read_sensors{}), (can::read_sensors{to, 4}));
+        EXPECT_EQ(e.news, addressee == 2 ? sensor_node_news::executed : sensor_node_news::ignored);
+        EXPECT_EQ(trama::decode<can::read_sensors>(e.packet).value_or(can::read_sensors{}), (can::read_sensors{addressee, 4}));
     }
 }
 
