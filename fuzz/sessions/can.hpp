@@ -161,14 +161,14 @@ private:
         const auto rest = [&](int turns) { quiet([&] { return turns-- == 0; }); };
         quiet([&] { return master_.done() && central_.done(); });
         rest(30);
-        const link_quality before = master_.machine().quality();
+        const std::uint64_t failures = master_.machine().quality().failures;
         while (master_.full()) rest(1);
         can::read_actuator m{};
         m.node = 1;
         master_.ask(m);
         quiet([&] { return master_.done(); });
-        const link_quality& after = master_.machine().quality();
-        require(after.failures == before.failures && after.resynchronisations == before.resynchronisations, "on a good bus a request is answered, whatever came before");
+        // A fault may still be told of what came before: of a partial message from before the clock was set back.
+        require(master_.machine().quality().failures == failures, "on a good bus a request is answered, whatever came before");
     }
 
     dice d_;
