@@ -17,13 +17,8 @@ std::vector<place> places_of(std::span<const std::uint8_t> input) {
     typename F::decoder decoder;
     read<F>(decoder, units, [&](const auto& e) {
         if (e.code != errc::ok) return;
-        const auto belongs = [&](std::size_t at) {
-            if constexpr (requires { traits<F>::belongs(units[at], e); }) return traits<F>::belongs(units[at], e);
-            else return true;
-        };
-        place& p = places.emplace_back();
-        for (auto at = static_cast<std::size_t>(e.offset); p.size() != e.length; ++at)
-            if (belongs(at)) p.push_back(at * traits<F>::unit_octets);
+        place& p = places.emplace_back(units_of<F>(units, e));
+        for (std::size_t& at : p) at *= traits<F>::unit_octets;
     });
     return places;
 }

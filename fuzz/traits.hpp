@@ -10,6 +10,19 @@ namespace trama::fuzz {
 template <class F>
 struct traits;
 
+/// Where the units that event `e` covers lie among `units`, all that the decoder read; those of others may lie between them.
+template <class F>
+std::vector<std::size_t> units_of(const auto& units, const auto& e) {
+    std::vector<std::size_t> places;
+    for (auto at = static_cast<std::size_t>(e.offset); places.size() != e.length; ++at) {
+        require(at < units.size(), "an event covers units that were read");
+        if constexpr (requires { traits<F>::belongs(units[at], e); })
+            if (!traits<F>::belongs(units[at], e)) continue;
+        places.push_back(at);
+    }
+    return places;
+}
+
 /// For formats whose unit is an octet: the input is the stream.
 struct octet_traits {
     static constexpr std::size_t unit_octets = 1;

@@ -174,12 +174,11 @@ class Finder:
 
     def _look_again(self, ident, find):
         target, path = find["target"], self._out / find["folder"] / "input"
-        # Once more and once more: not every fault shows every time.
-        for _ in range(3) if path.is_file() else ():
+        variant = None
+        for _ in range(3) if path.is_file() else ():  # not every fault shows every time
             variant, _, key, _ = self.examine(target, path)
             if variant and key == find.setdefault("key", key):
                 return
-        variant = variant if path.is_file() else None
         why = "its input shows another fault now" if variant else "its input passes now" if find["variant"] else "it never failed a second time"
         # What fails goes back before the find is closed, so that nothing is lost if it ends here.
         for path in inputs_of(self._out / find["folder"]):

@@ -100,8 +100,7 @@ class Fuzzing:
             return libfuzzer.fuzz_command(program, own, self.c.dictionary(name), artifacts, left, value_profile)
 
         return libfuzzer.LibFuzzerSlice(name, variant, seconds, command, feed, lambda artifact: corpus.leave_out(own, artifact),
-                                     engine.unnamed(self.c.environment), self.c.log(name), value_profile,
-                                        self.c.artifacts.qsize)
+                                        engine.unnamed(self.c.environment), self.c.log(name), value_profile, self.c.artifacts.qsize)
 
     def _feed(self, name, seconds, known, artifacts):
         """The command that merges seeds, and what targets of the same kind found, into the corpus; None when there is nothing new."""

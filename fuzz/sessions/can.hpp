@@ -35,7 +35,7 @@ public:
         for (std::uint8_t n = 0; n != nodes; ++n) beds_[n].number = n;
     }
     void run() {
-        for (int steps = 0; steps != 500 && !d_.left().empty(); ++steps) step();
+        play(d_, [&] { step(); });
         settle();
     }
 
@@ -44,17 +44,13 @@ private:
         const std::size_t what = d_.below(16);
         if (what < 3) request();
         else if (what == 3) set_clocks();
-        else if (what == 4) pass_time();
+        else if (what == 4) pass_time(now_, d_.one_in(8) ? 400 : d_.below(80), d_);
         else if (what == 5) hear_foreign();
         else if (what == 6) held_[d_.below(members)] = true;
         else (void)bus(true);
         everyone_hears({}, members);
     }
 
-    void pass_time() {
-        const std::uint64_t by = d_.one_in(8) ? 400 : d_.below(80);
-        now_ = d_.one_in(16) ? now_ - std::min(now_, by) : now_ + by;
-    }
     void request() {
         F::messages::at(d_.below(F::messages::count), [&]<class M>() {
             if constexpr (can::request_message<M>) {

@@ -18,7 +18,7 @@ public:
     /// What is sent is printed where `print` says so; what becomes of it on the line is not in it.
     daisy_session(std::span<const std::uint8_t> script, bool print) : d_(hash_of(script), script), print_(print) {}
     void run() {
-        for (int steps = 0; steps != 300 && !d_.left().empty(); ++steps) step();
+        play(d_, [&] { step(); });
         settle();
     }
 
@@ -28,16 +28,12 @@ private:
         if (what < 3) request();
         else if (what == 3) call();
         else if (what == 4) alarm(d_.below(boards));
-        else if (what == 5) pass_time();
+        else if (what == 5) pass_time(now_, d_.below(60), d_);
         else if (what < 9) damaged_ |= lines_[d_.below(lines_.size())].damage(d_);
         else if (what == 9) controller_.forget_boards();
         else deliver(1 + d_.below(12));
     }
 
-    void pass_time() {
-        const std::uint64_t by = d_.below(60);
-        now_ = d_.one_in(16) ? now_ - std::min(now_, by) : now_ + by;
-    }
     void request() {
         F::messages::at(d_.below(F::messages::count), [&]<class M>() {
             if constexpr (daisy::request_message<M>) {

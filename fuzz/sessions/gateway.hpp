@@ -12,11 +12,11 @@ public:
     /// What is sent is printed where `print` says so; what becomes of it on the line is not in it.
     gateway_session(std::span<const std::uint8_t> script, bool print) : d_(hash_of(script), script), print_(print) {}
     void run() {
-        for (int steps = 0; steps != 500 && !d_.left().empty(); ++steps) {
+        play(d_, [&] {
             step();
             client_.check();
             server_.check();
-        }
+        });
         settle();
     }
 
@@ -28,7 +28,7 @@ private:
         else if (what < 9) to_client(1 + d_.below(255));
         else if (what < 11) poll(d_.one_in(16) ? d_.below(gateway::max_record) : gateway::max_record);
         else if (what < 13) server_.work(d_);
-        else if (what == 13) pass_time(d_.one_in(16) ? 1000 : d_.below(40));
+        else if (what == 13) wait(d_.one_in(16) ? 1000 : d_.below(40));
         else if (what == 14) client_.damaged |= (d_.one_in(2) ? up_ : down_).damage(d_);
         else if (d_.one_in(2)) reconnect();
         else server_.hear_others(1 + d_.below(20), now_);
@@ -70,8 +70,8 @@ private:
         client_.states.push_back(state);
         put(down_, state);
     }
-    void pass_time(std::size_t by) {
-        now_ = d_.one_in(32) ? now_ - std::min<std::uint64_t>(now_, by) : now_ + by;
+    void wait(std::uint64_t by) {
+        pass_time(now_, by, d_);
         client_.listen({}, now_);
     }
     void reconnect() {

@@ -169,8 +169,6 @@ private:
             require(slot != nullptr && slot->type == e.type, "an accepted transit has a slot");
         } else if (accepted && e.type == gateway::order_type::cancel_transits) {
             (void)cart.cancel();
-        } else if (!accepted && e.reason == gateway::reason::no_place) {
-            require(!cart.order(0), "there is no place only where the reference has none");
         }
     }
     /// The one message that `bytes` are, to `f`.

@@ -48,6 +48,14 @@ void print_sent(std::span<const std::uint8_t> bytes) {
     std::fflush(stdout);
 }
 
+/// Time goes on by `by`; now and then the clock is set back by as much instead.
+inline void pass_time(std::uint64_t& now, std::uint64_t by, dice& d) { now = d.one_in(16) ? now - std::min(now, by) : now + by; }
+
+/// Calls `step()` until the script is at its end, or long enough.
+inline void play(const dice& script, auto&& step) {
+    for (int steps = 0; steps != 500 && !script.left().empty(); ++steps) step();
+}
+
 /// Calls `step()` while it returns true; a machine that never has enough has hung.
 inline void until_done(auto&& step, std::size_t most) {
     for (std::size_t calls = 0; step(); ++calls) require(calls != most, "a state machine comes to an end with what it is given");
