@@ -147,18 +147,21 @@ private:
     /// A good bus for as long as it takes; every request ends, and a new one is answered, whatever came before.
     void settle() {
         held_ = {};
+        const auto turn = [&] {
+            now_ += bus(false) ? 1 : 10;  // or it would take long until their patience ends
+            everyone_hears({}, members);
+        };
         const auto quiet = [&](auto&& done) {
             for (int steps = 0; !done(); ++steps) {
                 require(steps != 2000, "every request ends");
-                now_ += bus(false) ? 1 : 10;  // or it would take long until their patience ends
-                everyone_hears({}, members);
+                turn();
             }
         };
-        const auto rest = [&](int turns) { quiet([&] { return turns-- == 0; }); };
-        quiet([&] { return master_.done() && central_.done(); });
-        rest(30);
+        const auto idle = [&] { return master_.machine().waiting() == 0 && central_.machine().waiting() == 0; };
+        quiet(idle);
+        for (int turns = 30; turns != 0; --turns) turn();
+        quiet(idle);  // a poll whose clock was set back may have begun before, and fails late
         const std::uint64_t failures = master_.machine().quality().failures;
-        while (master_.full()) rest(1);
         can::read_actuator m{};
         m.node = 1;
         master_.ask(m);
