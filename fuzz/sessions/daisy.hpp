@@ -1,5 +1,7 @@
 #pragma once
 // A ring of a controller and three boards, and lines between them that a script damages.
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "sessions/daisy_board.hpp"
@@ -26,11 +28,11 @@ private:
     void step() {
         const std::size_t what = d_.below(16);
         if (what < 3) request();
-        else if (what == 3) call();
+        else if (what == 3) call(d_.below(boards + 1));
         else if (what == 4) alarm(d_.below(boards));
         else if (what == 5) pass_time(now_, d_.below(60), d_);
         else if (what < 9) damaged_ |= lines_[d_.below(lines_.size())].damage(d_);
-        else if (what == 9) controller_.forget_boards();
+        else if (what == 9) forget_boards();
         else deliver(1 + d_.below(12));
     }
 
@@ -60,17 +62,20 @@ private:
         require(controller_.in_flight() == waiting + (size ? 1 : 0), "a request that is sent waits, no other does");
         if (size) {
             require(is_valid(m), "what is sent is valid");
-            require(open_.insert({to.octet, daisy::command_of(M::key)}).second, "no two requests that one reply could answer are in flight");
-            put(0, out.all().first(*size));
+            begun({to.octet, daisy::command_of(M::key)}, 0, out.all().first(*size));
         }
         return bool(size);
     }
-    void call() {
+    bool call(std::size_t expected) {
         exact<std::uint8_t> out(daisy::max_packet);
-        const auto size = controller_.initialise(now_, out.all(), d_.below(boards + 1));
-        if (!size) return;
-        require(open_.insert({daisy::everyone.octet, daisy::command_of(daisy::common::init::key)}).second, "no two calls are in flight");
-        put(0, out.all().first(*size));
+        const auto size = controller_.initialise(now_, out.all(), expected);
+        if (!size) return false;
+        begun({daisy::everyone.octet, daisy::command_of(daisy::common::init::key)}, expected, out.all().first(*size));
+        return true;
+    }
+    void begun(std::pair<std::uint8_t, std::uint8_t> request, std::size_t expected, std::span<const std::uint8_t> bytes) {
+        require(open_.insert({request, {expected, {bytes.begin(), bytes.end()}, false, {}}}).second, "no two requests that one reply could answer are in flight");
+        put(0, bytes);
     }
     void alarm(std::size_t from) {
         exact<std::uint8_t> out(daisy::max_packet);
@@ -101,7 +106,7 @@ private:
             const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[i])};
             std::span<const std::uint8_t> in = copy.all();
             until_done([&] {
-                const auto e = boards_[i].next(in, now_, out.all(), obliging{addresses[i], &d_, &given_});
+                const auto e = boards_[i].next(in, now_, out.all(), obliging{addresses[i], &d_, &given_, may_refuse_});
                 put(i + 1, std::span<const std::uint8_t>(out.all()).first(e.written));
                 return e.news != daisy::node_news::need_more;
             }, 2 * (n + daisy::max_packet));
@@ -122,16 +127,38 @@ private:
         switch (e.news) {
             case controller_news::reply: case controller_news::board: case controller_news::refused:
                 if (const auto at = open_.find({e.peer.octet, e.command}); at != open_.end()) open_.erase(at);
+                if (const auto& known = controller_.boards(); known.index_of_board(e.peer) != known.size())
+                    for (auto& [request, o] : open_)
+                        if (request.second == e.command && daisy::reaches({request.first}, e.peer)) o.answered.insert(e.peer.octet);
                 ++replies_;
                 if (!damaged_ && e.news == controller_news::reply) require(given_.holds(e.peer, e.packet), "a reply says what the board said");
                 break;
             case controller_news::absent: case controller_news::complete: case controller_news::failed:
+                if (e.peer.broadcast()) require((e.news == controller_news::complete) == nobody_is_missing(e), "a call is complete when it is home and everyone has answered");
                 require(open_.erase({e.peer.octet, e.command}) == 1, "a request ends once");
                 failures_ += e.news == controller_news::complete ? 0U : 1U;
+                break;
+            case controller_news::removed:
+                if (const auto at = open_.find({e.packet.envelope().destination.octet, e.packet.command()}); e.peer == daisy::board(0, 0) && at != open_.end())
+                    at->second.home |= std::ranges::equal(at->second.sent, e.packet.bytes());
                 break;
             default: break;
         }
         require(controller_.in_flight() == open_.size(), "a controller knows how many requests wait");
+    }
+    bool nobody_is_missing(const daisy::controller_event& e) const {
+        const auto& known = controller_.boards();
+        const call_under_way& o = open_.at({e.peer.octet, e.command});
+        const bool everybody = std::all_of(known.begin(), known.end(), [&](const auto& b) { return !daisy::reaches(e.peer, b.where) || o.answered.contains(b.where.octet); });
+        const bool home = o.home || !e.packet.bytes().empty();  // the call itself, if it has come home just now
+        return home && everybody && known.size() >= o.expected;
+    }
+    void forget_boards() {
+        controller_.forget_boards();
+        for (auto& [request, o] : open_) {
+            o.home = false;
+            o.answered.clear();
+        }
     }
     /// As `deliver`; where nothing moves, time goes faster, or it would take long until their patience ends.
     void wait() {
@@ -140,7 +167,7 @@ private:
         now_ += still ? 5 : 0;
         deliver(64);
     }
-    /// Good lines for as long as it takes: all comes to rest, and a new request is answered, whatever came before.
+    /// Good lines for as long as it takes: all comes to rest, then a new request is answered and a call finds every board, whatever came before.
     void settle() {
         const auto at_rest = [&] {
             bool quiet = open_.empty();
@@ -154,12 +181,17 @@ private:
             rests = at_rest() ? rests + 1 : 0;
         }
         const auto replies = replies_, failures = failures_;
-        require(ask(addresses[1], daisy::common::ping{}, 0), "a ring at rest takes a request");
-        for (int steps = 0; !at_rest(); ++steps) {
-            require(steps != 1000, "a request on a ring at rest comes to an end");
-            wait();
-        }
+        // Taken as soon as nothing settles that could get the same reply: where the clock was set back, that takes its time.
+        const auto carry_out = [&](auto&& begin) {
+            for (int steps = 0; !begin(); wait()) require(++steps != 6000, "a ring at rest takes a request");
+            for (int steps = 0; !at_rest(); wait()) require(++steps != 1000, "a request on a ring at rest comes to an end");
+        };
+        carry_out([&] { return ask(addresses[1], daisy::common::ping{}, 0); });
         require(replies_ == replies + 1 && failures_ == failures, "on good lines a request is answered, whatever came before");
+        may_refuse_ = false;
+        forget_boards();
+        carry_out([&] { return call(boards); });
+        require(controller_.boards().size() == boards && failures_ == failures, "on good lines a call finds every board, whatever came before");
     }
 
     dice d_;
@@ -168,9 +200,17 @@ private:
     std::array<board, boards> boards_{board{addresses[0], "first", patience}, board{addresses[1], "second", patience}, board{addresses[2], "third", patience}};
     std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.
     std::uint64_t now_ = 0;
-    std::set<std::pair<std::uint8_t, std::uint8_t>> open_;  ///< Destination and command of what waits.
+    /// What is known of a request; a call's answers.
+    struct call_under_way {
+        std::size_t expected = 0;
+        octets sent;
+        bool home = false;
+        std::set<std::uint8_t> answered;  ///< By boards that were in the list then.
+    };
+    std::map<std::pair<std::uint8_t, std::uint8_t>, call_under_way> open_;  ///< What waits, by destination and command.
     replies_given given_;
-    bool damaged_ = false;  ///< Bytes did not arrive as they were sent.
+    bool may_refuse_ = true;  ///< Boards may, for a reason of their own.
+    bool damaged_ = false;    ///< Bytes did not arrive as they were sent.
     std::uint64_t replies_ = 0, failures_ = 0;
 };
 

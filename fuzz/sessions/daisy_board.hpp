@@ -30,16 +30,17 @@ private:
     std::map<std::pair<std::uint8_t, std::uint8_t>, std::vector<octets>> all_;
 };
 
-/// A board that carries out what it can be asked, and answers as the schema allows; now and then it cannot.
+/// A board that carries out what it can be asked, and answers as the schema allows; now and then it cannot, where that is allowed.
 struct obliging {
     daisy::address self;
     dice* d;
     replies_given* given;
+    bool may_refuse;
 
     template <daisy::request_message M>
     daisy::answer operator()(const M& m, daisy::reply_of<M>& reply) {
         require(is_valid(m), "a board is asked for valid things only");
-        if (d->one_in(16)) return static_cast<daisy::answer>(2 + d->below(8));
+        if (may_refuse && d->one_in(16)) return static_cast<daisy::answer>(2 + d->below(8));
         if constexpr (!requires { reply.description; }) {
             static arena memory;
             reply = random_message<daisy::reply_of<M>>(*d, memory);

@@ -274,6 +274,36 @@ TEST(can_sensor_node, keeps_quiet_about_what_is_not_for_it_or_cannot_be) {
     EXPECT_TRUE(n.clock().known());
 }
 
+TEST(can_sensor_node, takes_a_clock_of_its_own_from_its_master_and_the_central_one_only) {
+    node n(2, can::master_1, all_four);
+    device d;
+    const heard other = tell(n, d, {f(0x82, {2, 9, 'C', 20, 11, 4, 1, 12}), f(0x82, {20, 30})});
+    EXPECT_EQ(other.news, sensor_node_news::ignored) << "another master's node 2";
+    EXPECT_TRUE(other.sent.empty());
+    EXPECT_FALSE(n.clock().known());
+    const frames own{f(0x81, {2, 9, 'C', 20, 11, 4, 1, 12}), f(0x81, {20, 30})};
+    EXPECT_EQ(tell(n, d, own).sent, own);
+    EXPECT_TRUE(n.clock().known());
+}
+
+TEST(can_sensor_node, tells_of_a_number_that_cannot_be_in_a_request_for_it) {
+    const auto hear = [](std::uint8_t to, std::uint32_t id) {
+        node n(2, can::master_1, all_four);
+        device d;
+        const frames century{f(id, {to, 9, 'C', 100, 11, 4, 1, 12}), f(id, {20, 30})};
+        std::span<const frame> in(century);
+        const auto e = n.next(in, 0, d);
+        EXPECT_EQ(n.front(), nullptr);
+        EXPECT_FALSE(n.clock().known());
+        return std::pair(e.news, e.code);
+    };
+    EXPECT_EQ(hear(2, 0x81), std::pair(sensor_node_news::silent, trama::errc::bad_number));
+    EXPECT_EQ(hear(2, 0x80), std::pair(sensor_node_news::silent, trama::errc::bad_number));
+    EXPECT_EQ(hear(99, 0x80), std::pair(sensor_node_news::silent, trama::errc::bad_number));
+    EXPECT_EQ(hear(1, 0x81), std::pair(sensor_node_news::ignored, trama::errc::ok));
+    EXPECT_EQ(hear(2, 0x82), std::pair(sensor_node_news::ignored, trama::errc::ok));
+}
+
 TEST(can_sensor_node, hands_on_the_message_that_it_dealt_with) {
     node n(2, can::master_1, all_four);
     device d;
@@ -303,6 +333,7 @@ TEST(can_sensor_node, counts_what_came_and_went) {
     EXPECT_EQ(n.quality().packets_received, 2U);
     EXPECT_EQ(n.quality().bytes_received, 2U) << "frames";
     EXPECT_EQ(n.quality().goodput(700), 2U);
+    n.sent();  // nothing was there to be sent
     EXPECT_EQ(n.quality().packets_sent, 2U);
     EXPECT_EQ(n.quality().bytes_sent, 2U);
     EXPECT_EQ(n.quality().resynchronisations, 1U);
@@ -314,6 +345,33 @@ TEST(can_master, polls_as_many_nodes_as_it_has_room_for) {
     EXPECT_TRUE(m.poll(1));
     EXPECT_TRUE(m.poll(2));
     EXPECT_FALSE(m.poll(3));
+    EXPECT_TRUE(m.poll(2)) << "it is polled already";
+}
+
+TEST(can_master, polls_a_node_once_in_a_round_however_often_it_was_told_to) {
+    can::master<2> m(can::master_1);
+    EXPECT_TRUE(m.poll(1));
+    EXPECT_TRUE(m.poll(1));
+    tell(m, {}, 0);
+    EXPECT_EQ(m.waiting(), 1U);
+    EXPECT_TRUE(m.poll(2)) << "there is a place left";
+}
+
+TEST(can_master, takes_requests_while_a_polled_node_is_dead) {
+    can::timing slow;
+    slow.timeout = 500;  // a dead node takes two seconds, and a round is due each second
+    can::master<2, 4> m(can::master_1, slow);
+    m.poll(1);
+    int taken = 0, ended = 0;
+    for (std::uint64_t now = 0; now != 100'000; now += 10) {
+        while (tell(m, {}, now).news != master_news::need_more) {}
+        if (now % 10'000 == 5'000) taken += m.request(can::set_actuator{2, 0, 0, 1}) ? 1 : 0;
+        for (const frame& one : drain(m, now))
+            if (one.data[2] == 'M') ended += tell(m, {one}, now).news == master_news::answered ? 1 : 0;
+        ASSERT_LE(m.waiting(), 2U) << "a second poll of a node that has not answered the first is of no use";
+    }
+    EXPECT_EQ(taken, 10);
+    EXPECT_EQ(ended, 10);
 }
 
 TEST(can_master, sends_one_request_at_a_time_and_takes_the_echo_for_the_reply) {
@@ -496,19 +554,39 @@ TEST(can_master, echoes_the_latest_clock_only_while_an_earlier_echo_waits) {
 TEST(can_master, polls_once_a_second_from_the_first_poll_on) {
     can::master<> m(can::master_1);
     m.poll(1);
-    tell(m, {}, 999);
-    EXPECT_EQ(m.waiting(), 1U);
+    int rounds = 0;
+    const auto polled = [&](std::uint64_t now) {  // and answered at once
+        tell(m, {}, now);
+        const frames sent = drain(m, now);
+        if (sent.empty()) return false;
+        EXPECT_EQ(sent, (frames{f(0x81, {1, rounds, 'R'})}));
+        return tell(m, {f(0x81, {1, rounds++, 'R', 0, 0, 0, 0, 0}), f(0x81, {0, 0, 0, 0})}, now).news == master_news::answered;
+    };
+    EXPECT_TRUE(polled(999));
+    EXPECT_FALSE(polled(1000));
+    EXPECT_FALSE(polled(1998));
+    EXPECT_TRUE(polled(1999));
+    EXPECT_FALSE(polled(2998));
+    EXPECT_TRUE(polled(3100));  // a round begun late does not move those behind it
+    EXPECT_FALSE(polled(3998));
+    EXPECT_TRUE(polled(3999));
+}
+
+TEST(can_master, begins_a_round_of_polls_when_the_one_before_is_over) {
+    can::master<> m(can::master_1);
+    m.poll(1);
+    tell(m, {}, 0);
+    EXPECT_EQ(drain(m, 0U).size(), 1U);
+    ASSERT_TRUE(m.request(can::read_sensors{1, 0}));
+    for (std::uint64_t now = 201; now <= 603; now += 201) {
+        EXPECT_EQ(tell(m, {}, now).news, master_news::asks_again);
+        drain(m, now == 603 ? 900U : now);
+    }
     tell(m, {}, 1000);
-    tell(m, {}, 1998);
-    EXPECT_EQ(m.waiting(), 1U);
-    tell(m, {}, 1999);
-    EXPECT_EQ(m.waiting(), 2U);
-    tell(m, {}, 2998);
-    EXPECT_EQ(m.waiting(), 2U);
-    tell(m, {}, 3100);  // a round begun late does not move those behind it
-    EXPECT_EQ(m.waiting(), 3U);
-    tell(m, {}, 3999);
-    EXPECT_EQ(m.waiting(), 4U);
+    EXPECT_EQ(m.waiting(), 2U) << "a poll and a reading that was asked for";
+    EXPECT_EQ(tell(m, {}, 1101).news, master_news::failed);
+    tell(m, {}, 1102);
+    EXPECT_EQ(m.waiting(), 2U) << "that reading is no poll, the next round has begun";
 }
 
 // After a retry the node may answer twice. Its second reply must not meet the next request or that one's reply.

@@ -275,8 +275,33 @@ TEST_F(daisy_node, takes_silence_for_the_end_of_whatever_it_did_not_hear) {
     const octets undefined = with_crc({4, 0x11, 0x00, 0x55});
     EXPECT_EQ(tell(n, m, undefined, 10).sent, octets{}) << "it may be the rest of a packet";
     board fresh(daisy::board(1, 1), "motor");
-    tell(fresh, m, {}, 60);
-    EXPECT_EQ(tell(fresh, m, undefined, 70).sent, with_crc({5, 0x00, 0x11, 0x04, 0x01}));
+    tell(fresh, m, {}, 1'000'000);
+    EXPECT_EQ(tell(fresh, m, {}, 1'000'051).event.news, node_news::need_more);
+    EXPECT_EQ(tell(fresh, m, undefined, 1'000'070).sent, with_crc({5, 0x00, 0x11, 0x04, 0x01}));
+}
+
+/// What the clock says at the first call tells nothing about the line.
+TEST_F(daisy_node, takes_the_time_before_it_listened_for_no_silence) {
+    octets joined{0x43, 0x56};  // the end of something, which would be the head of a packet of 68 bytes
+    joined.insert(joined.end(), get_encoder.begin(), get_encoder.end());
+    joined.insert(joined.end(), get_encoder.begin(), get_encoder.end());
+    octets sent;
+    std::span<const std::uint8_t> in(joined);
+    for (;;) {
+        octets out(board::max_output);
+        const auto e = n.next(in, 1'000'000, out, m);
+        sent.insert(sent.end(), out.begin(), out.begin() + static_cast<std::ptrdiff_t>(e.written));
+        if (e.news == node_news::need_more) break;
+    }
+    octets twice = encoder_reply;
+    twice.insert(twice.end(), encoder_reply.begin(), encoder_reply.end());
+    EXPECT_EQ(sent, twice);
+}
+
+TEST_F(daisy_node, counts_both_packets_that_it_sends_for_a_call) {
+    tell(n, m, with_crc({4, 0xFF, 0x00, 0x01}));
+    EXPECT_EQ(n.quality().packets_sent, 2U);
+    EXPECT_EQ(n.quality().bytes_sent, 10U + 5U);
 }
 
 /// The last byte of one and the head of the other read as a ping; the pause tells that they are none.

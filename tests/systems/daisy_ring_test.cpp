@@ -243,6 +243,103 @@ TEST(daisy_controller, expects_as_many_boards_as_the_call_that_was_sent) {
     EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x00, 0x01}), 2).event.news, controller_news::removed) << "one board is missing";
 }
 
+TEST(daisy_controller, waits_for_as_many_boards_as_expected_in_that_call_only) {
+    controller c = with_boards({0x11});
+    octets out(daisy::max_packet);
+    const octets call = with_crc({4, 0xFF, 0x00, 0x01});
+    ASSERT_TRUE(c.initialise(0, out, 3));
+    for (std::uint64_t now = 201; now != 201 * 5; now += 201) tell(c, {}, now);
+    ASSERT_EQ(c.in_flight(), 0U) << "three boards did not answer";
+    ASSERT_EQ(ask(c, daisy::everyone, daisy::common::init{}, 2000), call);
+    EXPECT_EQ(tell(c, with_crc({5, 0x00, 0x11, 0x81, 'b'}), 2001).event.news, controller_news::reply);
+    EXPECT_EQ(tell(c, call, 2002).event.news, controller_news::complete);
+}
+
+TEST(daisy_controller, expects_no_more_boards_than_its_list_can_hold) {
+    controller c;
+    octets out(daisy::max_packet);
+    EXPECT_EQ(c.initialise(0, out, 5).code(), trama::errc::buffer_too_small);
+    EXPECT_EQ(c.in_flight(), 0U);
+    EXPECT_TRUE(c.initialise(0, out, 4));
+}
+
+/// A reply that is sent again because it came damaged comes behind the call, which it preceded at first.
+TEST(daisy_controller, completes_a_call_that_is_home_when_the_last_board_has_answered) {
+    const octets call = with_crc({4, 0xFF, 0x00, 0x03}), reply = with_crc({4, 0x00, 0x11, 0x83});
+    for (const bool refused : {false, true}) {
+        controller c = with_boards({0x11});
+        ASSERT_EQ(ask(c, daisy::everyone, daisy::common::ping{}, 0), call);
+        EXPECT_EQ(tell(c, call, 1).event.news, controller_news::removed);
+        EXPECT_EQ(tell(c, {}, 2).event.news, controller_news::need_more) << "a board is missing";
+        tell(c, refused ? with_crc({5, 0x00, 0x11, 0x04, 0x01}) : reply, 5);
+        EXPECT_EQ(c.in_flight(), 1U);
+        const auto [event, sent] = tell(c, {}, 5);
+        EXPECT_EQ(event.news, controller_news::complete);
+        EXPECT_EQ(event.peer, daisy::everyone);
+        EXPECT_EQ(event.command, 0x03);
+        EXPECT_TRUE(sent.empty());
+        EXPECT_EQ(c.in_flight(), 0U);
+        EXPECT_EQ(tell(c, {}, 5).event.news, controller_news::need_more);
+    }
+}
+
+TEST(daisy_controller, completes_no_call_by_forgetting_the_boards_that_it_waits_for) {
+    const octets call = with_crc({4, 0xFF, 0x00, 0x03});
+    controller c = with_boards({0x11});
+    ASSERT_EQ(ask(c, daisy::everyone, daisy::common::ping{}, 0), call);
+    EXPECT_EQ(tell(c, call, 1).event.news, controller_news::removed);
+    c.forget_boards();
+    EXPECT_EQ(tell(c, {}, 2).event.news, controller_news::need_more);
+    EXPECT_EQ(tell(c, {}, 201).sent, call);
+    EXPECT_EQ(tell(c, call, 202).event.news, controller_news::complete);
+}
+
+TEST(daisy_controller, takes_a_refusal_for_that_of_a_call_which_the_board_has_not_answered) {
+    daisy::timing once;
+    once.attempts = 1;
+    controller c(once);
+    for (const std::uint8_t a : {std::uint8_t{0x11}, std::uint8_t{0x12}}) tell(c, with_crc({5, 0x00, a, 0x81, 'b'}));
+    ask(c, daisy::board(1, 15), daisy::dc_motor::get_encoder{}, 0);
+    EXPECT_EQ(tell(c, encoder_reply, 1).event.news, controller_news::reply);
+    ask(c, daisy::board(1, 15), daisy::dc_motor::dont_stop{}, 2);
+    const auto refused = tell(c, with_crc({5, 0x00, 0x11, 0x04, 0x01}), 3).event;
+    EXPECT_EQ(refused.news, controller_news::refused);
+    EXPECT_EQ(refused.command, 0x47);
+}
+
+TEST(daisy_controller, takes_no_second_refusal_of_what_was_sent_twice_for_one_of_another_call) {
+    controller c = with_boards({0x11, 0x12});
+    const octets refusal = with_crc({5, 0x00, 0x11, 0x04, 0x01});
+    ask(c, daisy::board(1, 15), daisy::dc_motor::dont_stop{}, 0);
+    EXPECT_EQ(tell(c, refusal, 1).event.command, 0x47);
+    EXPECT_EQ(tell(c, {}, 201).event.news, controller_news::sent_again) << "1:2 has not answered";
+    ask(c, daisy::board(1, 15), daisy::dc_motor::get_encoder{}, 202);
+    EXPECT_EQ(tell(c, refusal, 203).event.news, controller_news::told);
+    EXPECT_EQ(tell(c, encoder_reply, 204).event.news, controller_news::reply);
+}
+
+TEST(daisy_controller, counts_what_each_board_was_sent_and_what_became_of_it) {
+    controller c = with_boards({0x11});
+    const auto& q = c.boards()[0].quality;
+    tell(c, with_crc({4, 0x00, 0x11, 0x03}));        // a ping, which is answered
+    tell(c, with_crc({6, 0x00, 0x11, 0x49, 1, 0}));  // an alarm, likewise
+    tell(c, with_crc({4, 0x00, 0x11, 0x43}));        // a request that it does not know
+    EXPECT_EQ(q.packets_sent, 3U);
+    EXPECT_EQ(q.bytes_sent, 5U + 5U + 6U);
+    octets both = encoder_reply;  // damaged, and then a complaint about something else
+    both.back() ^= 1;
+    for (const std::uint8_t b : with_crc({11, 0x00, 0x11, 0x04, 0x00, 4, 0x22, 0x05, 0x81, 0x10, 0xA2})) both.push_back(b);
+    octets out(controller::max_output);
+    for (std::span<const std::uint8_t> in(both); c.next(in, 0, out).news != controller_news::need_more;) {}
+    EXPECT_EQ(q.packets_sent, 4U) << "the error about the damaged one";
+    EXPECT_EQ(q.bytes_sent, 16U + 16U);
+    EXPECT_EQ(q.rejections, 1U);
+    EXPECT_EQ(tell(c, ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 0)).event.news, controller_news::absent) << "it has left";
+    EXPECT_EQ(q.failures, 1U);
+    EXPECT_EQ(q.packets_sent, 5U);
+    EXPECT_EQ(c.quality().packets_sent, 5U);
+}
+
 TEST(daisy_controller, acknowledges_alarms_and_refuses_other_requests) {
     controller c = with_boards({0x62, 0x11});
     const octets alarm{0x06, 0x00, 0x62, 0x45, 0x6B, 0x03, 0x49};  // the document's example 2

@@ -11,7 +11,8 @@ namespace trama::can {
 /// node answers would come between the frames of the reply [D6, D7]. For the same reason the next request waits when one
 /// was sent more than once: until each attempt has been answered, or until one time-out has gone by without a reply.
 ///
-/// `Nodes` are those it can poll, `Requests` those that can wait: a round of polls begins when there is room for all of it.
+/// `Nodes` are those it can poll, `Requests` those that can wait: a round of polls begins when there is room for all of it and
+/// nothing of the round before waits any more, so that dead nodes do not keep everything else out.
 template <std::size_t Nodes = 8, std::size_t Requests = 16>
     requires(Nodes <= Requests)
 class master {
@@ -21,7 +22,7 @@ public:
     constexpr explicit master(std::uint32_t id, const timing& t = {}, bool confirms_clock = false) noexcept
         : id_(id), timing_(t), confirms_clock_(confirms_clock), reassembler_({id, central_master}, t.partial), calendar_(t.second) {}
 
-    /// Polls `node` every `timing::poll` from the next round on. False when there are `Nodes` already.
+    /// Polls `node` every `timing::poll` from the next round on. False when there are `Nodes` others already.
     constexpr bool poll(std::uint8_t node) noexcept { return nodes_.add(node); }
     /// Queues `m` under the next message_id, which it returns. `buffer_too_small` when `Requests` wait already;
     /// `out_of_range` with the field.
@@ -130,8 +131,9 @@ private:
 
     /// What time brings: the poll, the next request, a time-out.
     constexpr void run(std::uint64_t now, master_event& e) noexcept {
-        if (nodes_.count != 0 && now >= next_poll_ && Requests - waiting_ >= nodes_.count) {
-            for (std::size_t i = 0; i != nodes_.count; ++i) (void)request(read_sensors{nodes_.all[i].node, 0});
+        if (nodes_.count != 0 && now >= next_poll_ && Requests - waiting_ >= nodes_.count && !polls_wait()) {
+            for (std::size_t i = 0; i != nodes_.count; ++i)
+                if (request(read_sensors{nodes_.all[i].node, 0})) requests_[waiting_ - 1].poll = true;
             const bool in_step = next_poll_ != 0 && now - next_poll_ < timing_.poll;
             next_poll_ = (in_step ? next_poll_ : now) + timing_.poll;
         }
@@ -146,6 +148,11 @@ private:
         ++line_.timeouts;
         if (polled_node* n = nodes_.find(requests_[0].node())) ++n->quality.timeouts;
         ask_again(e);
+    }
+    constexpr bool polls_wait() const noexcept {
+        for (std::size_t i = 0; i != waiting_; ++i)
+            if (requests_[i].poll) return true;
+        return false;
     }
     /// Whether the time for replies is over. One that has begun is waited for.
     constexpr bool is_over(std::uint64_t now) const noexcept {

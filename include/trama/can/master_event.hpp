@@ -56,7 +56,9 @@ struct polled_nodes {
     std::size_t count = 0;
     std::array<polled_node, Nodes> all{};
 
+    /// False when there is no place for it.
     constexpr bool add(std::uint8_t node) noexcept {
+        if (find(node) != nullptr) return true;
         if (count == Nodes) return false;
         all[count++].node = node;
         return true;
@@ -80,6 +82,7 @@ struct pending_request {
     std::uint8_t size = 0;
     unsigned attempts = 0;      ///< How often it was given to the queue.
     unsigned replies = 0;       ///< Right and wrong ones.
+    bool poll = false;          ///< One of a round of polls.
     std::array<std::uint8_t, 8 * max_frames> octets{};
 
     template <request_message M>

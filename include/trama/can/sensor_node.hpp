@@ -8,7 +8,7 @@ namespace trama::can {
 enum class sensor_node_news : std::uint8_t {
     need_more,  ///< Nothing; call again with more frames.
     executed,   ///< A request was carried out and answered.
-    silent,     ///< A request was left unanswered: values out of range, no such actuator, or no room in the queue.
+    silent,     ///< A request was left unanswered: values out of range (`code` says so if one is no number), no such actuator, or no room in the queue.
     clock,      ///< The clock was set by a call to everyone.
     ignored,    ///< A message for others, or another node's reply.
     fault,      ///< Frames that make no message: `code`, `skipped`.
@@ -18,7 +18,7 @@ enum class sensor_node_news : std::uint8_t {
 struct sensor_node_event {
     sensor_node_news news = sensor_node_news::need_more;
     can::packet packet{};         ///< Where a message came.
-    errc code = errc::ok;         ///< Of fault.
+    errc code = errc::ok;         ///< Of fault; of silent, `bad_number` for a year that cannot be.
     std::uint64_t skipped = 0;    ///< Of fault: frames without use.
 };
 
@@ -46,6 +46,7 @@ public:
     constexpr const frame* front() noexcept { return queue_.front(); }
     /// That frame has left.
     constexpr void sent() noexcept {
+        if (queue_.front() == nullptr) return;
         queue_.sent();
         line_.sent(1);
     }
@@ -59,7 +60,11 @@ public:
             line_.received(got.length, now);
             e.packet = got.packet;
             e.news = sensor_node_news::ignored;
-            (void)visit<format>(got.packet, [&](const auto& m) { take(m, got.packet.envelope(), now, device, e); });
+            const error bad = visit<format>(got.packet, [&](const auto& m) { take(m, got.packet.envelope(), now, device, e); });
+            if (bad && concerns(got.packet.body()[0], got.packet.body()[2] == 'C', got.packet.envelope())) {
+                e.news = sensor_node_news::silent;
+                e.code = bad.code;
+            }
         } else if (got.code != errc::need_more) {
             e.news = sensor_node_news::fault;
             e.code = got.code;
@@ -77,12 +82,17 @@ public:
     constexpr const link_quality& quality() const noexcept { return line_; }
 
 private:
+    /// Whether a request is for this node: from its own master, or a clock that the central one sets.
+    constexpr bool concerns(std::uint8_t node, bool clock, const envelope& from) const noexcept {
+        if (clock && node == global_node) return true;
+        return node == self_ && (from.id == master_ || (clock && from.id == central_master));
+    }
     template <class M>
     constexpr void take(const M& m, const envelope& from, std::uint64_t now, auto& device, sensor_node_event& e) noexcept {
         if constexpr (request_message<M>) {
             constexpr bool clock = std::is_same_v<M, set_clock>;
             const bool everyone = clock && m.node == global_node;
-            if (!everyone && (m.node != self_ || (from.id != master_ && !clock))) return;
+            if (!concerns(m.node, clock, from)) return;
             e.news = sensor_node_news::silent;
             if (!is_valid(m)) return;
             if (everyone) e.news = sensor_node_news::clock;

@@ -80,8 +80,8 @@ public:
     std::uint64_t failures = 0;            ///< Requests given up.
     round_trips round_trip{};
 
-    constexpr void sent(std::size_t bytes) noexcept {
-        ++packets_sent;
+    constexpr void sent(std::size_t bytes, std::size_t packets = 1) noexcept {
+        packets_sent += packets;
         bytes_sent += bytes;
     }
     constexpr void received(std::size_t bytes, std::uint64_t now) noexcept {

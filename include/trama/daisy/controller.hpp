@@ -24,22 +24,14 @@ public:
     /// `timing` says; 1 for what must not be carried out twice.
     template <request_message M>
     constexpr result<std::size_t> request(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out, unsigned attempts = 0) noexcept {
-        static_assert(min_packet + M::layout.max_size <= max_request);
-        request_in_flight* place = requests_.place_for(to, command_of(M::key), now);
-        if (place == nullptr) return errc::buffer_too_small;
-        const auto size = format::encode({to, self_}, m, out);
-        if (size) {
-            requests_.add(*place, out.first(*size), now, attempts);
-            count_sent(to, *size);
-        }
-        return size;
+        return send(to, m, now, out, attempts, 0);
     }
-    /// Calls everyone: each board that answers joins the list. `complete` when the call has gone round and the list holds
-    /// at least `expected` boards; until then it is repeated. [daisy §3.1]
+    /// Calls everyone: each board that answers joins the list. `complete` when the call has gone round, everyone in the list has answered and
+    /// the list holds at least `expected` boards; until then it is repeated. Fails as `request` does, and with
+    /// `buffer_too_small` when `expected` is more than `Boards`. [daisy §3.1]
     constexpr result<std::size_t> initialise(std::uint64_t now, std::span<std::uint8_t> out, std::size_t expected = 0) noexcept {
-        const auto size = request(everyone, common::init{}, now, out);
-        if (size) expected_ = expected;
-        return size;
+        if (expected > Boards) return errc::buffer_too_small;
+        return send(everyone, common::init{}, now, out, 0, static_cast<std::uint8_t>(expected));
     }
 
     /// Takes bytes from the front of `in`, deals with at most one packet and writes what is to be sent to `out`.
@@ -57,7 +49,7 @@ public:
         else if (got.code != errc::need_more) complain(got, writer, e);
         else repeat(now, writer, e);
         e.written = writer.size();
-        if (e.written != 0) line_.sent(e.written);
+        line_.sent(writer.size(), writer.packets());
         return e;
     }
 
@@ -73,6 +65,20 @@ public:
     constexpr const link_quality& quality() const noexcept { return line_; }
 
 private:
+    template <class M>
+    constexpr result<std::size_t> send(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out, unsigned attempts, std::uint8_t expected) noexcept {
+        static_assert(min_packet + M::layout.max_size <= max_request);
+        request_in_flight* place = requests_.place_for(to, command_of(M::key), now);
+        if (place == nullptr) return errc::buffer_too_small;
+        const auto size = format::encode({to, self_}, m, out);
+        if (size) {
+            requests_.add(*place, out.first(*size), now, attempts);
+            place->expected = expected;
+            line_.sent(*size);
+            count_sent(to, *size);
+        }
+        return size;
+    }
     constexpr void take(const packet& p, std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
         const route way = route_of(p.envelope(), self_);
         if (board_info* b = boards_.find(e.peer)) b->quality.received(p.bytes().size(), now);
@@ -121,12 +127,14 @@ private:
     }
     /// False when the board has answered this broadcast before.
     constexpr bool note_answer(request_in_flight& r, address peer) noexcept {
-        const std::size_t at = boards_.index_of_board(peer);
-        if (!r.destination().broadcast() || at == boards_.size()) return true;
-        const std::uint64_t bit = std::uint64_t{1} << at;
+        const std::uint64_t bit = r.destination().broadcast() ? boards_.bit_of(peer) : 0;
         if ((r.answered & bit) != 0) return false;
         r.answered |= bit;
         return true;
+    }
+    /// Whether a broadcast has gone round, and nobody is missing.
+    constexpr bool is_complete(const request_in_flight& r) const noexcept {
+        return r.home && (boards_.reached_by(r.destination()) & ~r.answered) == 0 && boards_.size() >= r.expected;
     }
 
     // controller_parts.hpp holds these.
@@ -135,9 +143,11 @@ private:
     constexpr void came_back(const packet& p, std::uint64_t now, controller_event& e) noexcept;
     constexpr void complain(const event& got, packet_writer& out, controller_event& e) noexcept;
 
-    /// A request without a reply.
+    /// A broadcast whose last reply came after it was home, or a request without a reply.
     constexpr void repeat(std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
-        request_in_flight* r = requests_.overdue(now);
+        request_in_flight* r = requests_.waiting_one([this](const request_in_flight& one) { return is_complete(one); });
+        if (r != nullptr) return complete(*r, now, e);
+        r = requests_.overdue(now);
         if (r == nullptr) return;
         board_info* b = boards_.find(r->destination());
         ++line_.timeouts;
@@ -149,25 +159,29 @@ private:
         if (b != nullptr) ++b->quality.failures;
         requests_.give_up(*r, now);
     }
+    constexpr void complete(request_in_flight& r, std::uint64_t now, controller_event& e) noexcept {
+        about(r, e);
+        e.news = controller_news::complete;
+        requests_.finish(r, now);
+    }
     constexpr void send_again(request_in_flight& r, std::uint64_t now, packet_writer& out, controller_event& e) noexcept {
         out.copy(r.packet());
         requests_.repeated(r, now);
         about(r, e);
         e.news = controller_news::sent_again;
         ++line_.retries;
-        if (board_info* b = boards_.find(r.destination())) {
-            ++b->quality.retries;
-            b->quality.sent(r.size);
-        }
+        if (board_info* b = boards_.find(r.destination())) ++b->quality.retries;
+        count_sent(r.destination(), r.size);
     }
     static constexpr void about(const request_in_flight& r, controller_event& e) noexcept {
         e.peer = r.destination();
         e.command = r.command();
         e.attempt = r.attempts;
     }
+    /// A packet to one board, if it is in the list; the line counts by itself.
     constexpr void count_sent(address to, std::size_t size) noexcept {
-        line_.sent(size);
-        if (board_info* b = boards_.find(to)) b->quality.sent(size);
+        board_info* b = boards_.find(to);
+        if (b != nullptr && size != 0) b->quality.sent(size);
     }
 
     static constexpr std::size_t passing = 16;
@@ -177,7 +191,6 @@ private:
     orphan_filter<passing> passed_;
     alarm_memory<std::max<std::size_t>(2 * Boards, 16)> alarms_;  // no family has more than two alarms
     board_list<Boards> boards_{};
-    std::size_t expected_ = 0;
     link_quality line_{};
 };
 

@@ -11,7 +11,7 @@ enum class controller_news : std::uint8_t {
     reply,       ///< The reply to a request, or one of the replies to a broadcast; in `packet`.
     board,       ///< Likewise, to `init` or `reset`, by a board that was not in the list before.
     refused,     ///< `peer` sent an `error` with a code from 1 on, in `packet`; the oldest request to it, `command`, is taken for the refused one.
-    complete,    ///< A broadcast has gone round and everyone in the list has answered it.
+    complete,    ///< A broadcast has gone round and everyone in the list whom it reaches has answered it, be it by an `error`.
     absent,      ///< A request has gone round: no board has its address.
     failed,      ///< No reply after all attempts; of a broadcast: not from everyone.
     sent_again,  ///< A request without a reply in time, or one that somebody reported as damaged.
@@ -76,6 +76,11 @@ public:
         std::size_t i = 0;
         while (i != count_ && boards_[i].where != a) ++i;
         return i;
+    }
+    /// The bit by which it stands in `request_in_flight::answered`; none when it is not in the list.
+    constexpr std::uint64_t bit_of(address a) const noexcept {
+        const std::size_t at = index_of_board(a);
+        return at == count_ ? 0 : std::uint64_t{1} << at;
     }
     constexpr void clear() noexcept { *this = board_list{}; }
     constexpr std::size_t size() const noexcept { return count_; }

@@ -41,18 +41,21 @@ public:
     constexpr std::span<const std::uint8_t> put(const envelope& e, const M& m) noexcept {
         const std::size_t n = format::encode(e, m, out_.subspan(size_)).value_or(0);
         size_ += n;
+        packets_ += n != 0 ? 1U : 0U;
         return out_.subspan(size_ - n, n);
     }
     /// Precondition: there is room.
     constexpr void copy(std::span<const std::uint8_t> packet) noexcept {
         copy_bytes(out_.data() + size_, packet.data(), packet.size());
         size_ += packet.size();
+        ++packets_;
     }
     constexpr std::size_t size() const noexcept { return size_; }
+    constexpr std::size_t packets() const noexcept { return packets_; }
 
 private:
     std::span<std::uint8_t> out_;
-    std::size_t size_ = 0;
+    std::size_t size_ = 0, packets_ = 0;
 };
 
 inline constexpr std::uint8_t bad_crc_code = 0;          ///< Code of an `error`. [daisy §3.4]
@@ -83,9 +86,10 @@ public:
     constexpr explicit receiver(std::uint64_t idle) noexcept : idle_(idle) {}
 
     constexpr event next(std::span<const std::uint8_t>& in, std::uint64_t now, link_quality& line) noexcept {
-        const bool silent = idle_ != 0 && elapsed(last_, now) > idle_;
+        const bool silent = listens_ && idle_ != 0 && elapsed(last_, now) > idle_;
         if (silent) decoder_.idle();  // also with nothing pending: what comes next begins a packet
-        if (!in.empty() || silent) last_ = now;
+        if (!in.empty() || silent || !listens_) last_ = now;
+        listens_ = true;
         const event e = decoder_.next(in);
         if (e.code == errc::ok || e.code == errc::unknown_message) line.received(e.length, now);
         else if (e.code != errc::need_more) line.lost_step(e.length);
@@ -94,7 +98,8 @@ public:
 
 private:
     std::uint64_t idle_;
-    std::uint64_t last_ = 0;  ///< When the latest bytes came.
+    std::uint64_t last_ = 0;  ///< When the latest bytes came, or the first call.
+    bool listens_ = false;    ///< It was called: what was before is unknown, be it silence or half a packet.
     decoder decoder_{};
 };
 

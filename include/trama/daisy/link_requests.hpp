@@ -34,6 +34,8 @@ struct request_in_flight {
 
     state now = state::free;
     std::uint8_t size = 0;
+    std::uint8_t expected = 0;   ///< Of a call to everyone: how many boards the list has to hold at its end.
+    bool home = false;           ///< Of a broadcast: it has gone round.
     unsigned attempts = 0;       ///< How often it was sent.
     unsigned allowed = 0;        ///< How often it may be sent in all.
     std::uint64_t first = 0;     ///< When it was sent first.
@@ -78,7 +80,12 @@ public:
     /// Notes `packet`, at most `max_request` bytes, as sent, in a `place_for` it. `attempts` 0: as many as `timing` says.
     constexpr void add(request_in_flight& place, std::span<const std::uint8_t> packet, std::uint64_t now, unsigned attempts) const noexcept {
         const unsigned allowed = attempts != 0 ? attempts : timing_.attempts;
-        place = {request_in_flight::state::waiting, static_cast<std::uint8_t>(packet.size()), 1, allowed, now, now, 0, {}};
+        place = {};
+        place.now = request_in_flight::state::waiting;
+        place.size = static_cast<std::uint8_t>(packet.size());
+        place.attempts = 1;
+        place.allowed = allowed;
+        place.first = place.latest = now;
         copy_bytes(place.octets.data(), packet.data(), packet.size());
     }
 
@@ -89,12 +96,13 @@ public:
         return nullptr;
     }
     /// The oldest request that waits for `peer`, by any command: `error` does not say which one it is about.
-    /// One to a single board comes before a broadcast.
-    constexpr request_in_flight* oldest_to(address peer) noexcept {
+    /// One to a single board comes before a broadcast. A broadcast that was sent once cannot be meant when `peer`, whose
+    /// bit in `answered` is `bit`, has answered it.
+    constexpr request_in_flight* oldest_to(address peer, std::uint64_t bit) noexcept {
         request_in_flight* oldest = nullptr;
         for (request_in_flight& r : requests_) {
             const auto reply = static_cast<std::uint8_t>(r.command() | response_bit);
-            if (!is_waiting(r) || !r.expects(peer, reply)) continue;
+            if (!is_waiting(r) || !r.expects(peer, reply) || (r.attempts == 1 && (r.answered & bit) != 0)) continue;
             const bool nearer = oldest != nullptr && oldest->destination().broadcast() && !r.destination().broadcast();
             const bool wider = oldest != nullptr && !oldest->destination().broadcast() && r.destination().broadcast();
             if (oldest == nullptr || nearer || (!wider && r.first < oldest->first)) oldest = &r;
@@ -142,9 +150,18 @@ public:
         r.now = request_in_flight::state::settling;
         r.latest = now;
     }
-    /// The list of boards that `answered` refers to is a new one.
+    /// The list of boards that `answered` refers to is a new one; a broadcast has to go round once more, among the new ones.
     constexpr void forget_answers() noexcept {
-        for (request_in_flight& r : requests_) r.answered = 0;
+        for (request_in_flight& r : requests_) {
+            r.answered = 0;
+            r.home = false;
+        }
+    }
+    /// The first that waits for a reply and of which `f(r)` holds; null when there is none.
+    constexpr request_in_flight* waiting_one(auto&& f) noexcept {
+        for (request_in_flight& r : requests_)
+            if (is_waiting(r) && f(r)) return &r;
+        return nullptr;
     }
     /// Requests that wait for a reply.
     constexpr std::size_t waiting() const noexcept {

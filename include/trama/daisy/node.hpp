@@ -61,7 +61,7 @@ public:
         else if (got.code != errc::need_more) complain(got, writer, e);
         else repeat(now, writer, e);
         e.written = writer.size();
-        if (e.written != 0) line_.sent(e.written);
+        line_.sent(writer.size(), writer.packets());
         return e;
     }
 
