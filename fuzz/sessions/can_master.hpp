@@ -17,7 +17,7 @@ public:
     can::master<nodes, requests>& machine() { return machine_; }
     void poll(std::uint8_t node) {
         require(machine_.poll(node), "a master polls as many nodes as it says");
-        polls_ = true;
+        ++polled_;
     }
     bool full() const { return machine_.waiting() == requests; }
     /// No request waits that was asked for.
@@ -42,6 +42,7 @@ public:
     bool hear(std::span<const can::frame>& in, std::uint64_t now) {
         using can::master_news;
         const can::master_event e = machine_.next(in, now);
+        require(machine_.waiting() <= open_.size() + polled_, "no second poll of a node waits");
         if (e.news == master_news::need_more) return false;
         if (e.news != master_news::answered && e.news != master_news::failed && e.news != master_news::asks_again) return true;
         // 0 of one that was answered before it left: by the late reply to another that looks the same.
@@ -49,7 +50,7 @@ public:
         require(e.news != master_news::failed || e.attempt == attempts_, "a request fails after its last attempt");
         const auto at = open_.find(e.message_id);
         const bool asked = at != open_.end() && static_cast<char>(at->second[2]) == e.letter;
-        require(asked || (polls_ && e.letter == 'R'), "what a master tells is about a request");
+        require(asked || (polled_ != 0 && e.letter == 'R'), "what a master tells is about a request");
         if (e.news == master_news::asks_again) return true;
         if (e.news == master_news::answered) judge(e, asked ? at->second : octets{e.node, e.message_id, 'R'});
         if (asked) open_.erase(at);
@@ -76,7 +77,7 @@ private:
     std::uint32_t id_;
     unsigned attempts_;
     can::master<nodes, requests> machine_;
-    bool polls_ = false;
+    std::size_t polled_ = 0;
     std::map<std::uint8_t, octets> open_;  ///< The bodies of the requests that wait, by number.
 };
 

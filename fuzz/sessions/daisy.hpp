@@ -150,7 +150,7 @@ private:
         const auto& known = controller_.boards();
         const call_under_way& o = open_.at({e.peer.octet, e.command});
         const bool everybody = std::all_of(known.begin(), known.end(), [&](const auto& b) { return !daisy::reaches(e.peer, b.where) || o.answered.contains(b.where.octet); });
-        const bool home = o.home || !e.packet.bytes().empty();  // the call itself, if it has come home just now
+        const bool home = o.home || std::ranges::equal(o.sent, e.packet.bytes());  // the latter: just now
         return home && everybody && known.size() >= o.expected;
     }
     void forget_boards() {

@@ -90,7 +90,7 @@ public:
     void check() const {
         require(client_.in_flight() == open_.size(), "a client knows how many orders wait");
         const link_quality& q = client_.quality();
-        require(q.round_trip.count == answered_ && q.timeouts == late_ && q.failures == doubtful_, "a client counts how its orders end");
+        require(q.round_trip.count == answered_ && q.timeouts == late_ && q.failures == late_ + doubtful_, "a client counts how its orders end");
     }
 
 private:

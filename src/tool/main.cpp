@@ -57,6 +57,7 @@ int show(trama::tool::options::wish asked) {
 int main(int argc, char** argv) {
     using namespace trama::tool;
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is seen as EPIPE
+    std::signal(SIGXFSZ, SIG_IGN);  // and a file that may not grow as EFBIG
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));
     const std::string_view command = words.size() > 1 ? words[1] : "";
     if (const auto asked = parse_wish(command); asked != options::wish::command) return show(asked);

@@ -1,5 +1,6 @@
 #include "tool/output.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -34,9 +35,14 @@ bool write_all(int fd, std::string_view text) {
     return true;
 }
 
+std::atomic<bool> unfinished_line = false;
+
 void write_or_end(int fd, std::string_view text) {
     if (write_all(fd, text)) return;
-    if (errno == EPIPE) std::_Exit(all_well);
+    if (errno == EPIPE) {
+        erase_unfinished_line();
+        std::_Exit(all_well);
+    }
     complain("cannot write: ", std::strerror(errno));
     std::_Exit(failed);
 }
@@ -99,7 +105,14 @@ std::span<const unsigned char> input::read() {
     }
 }
 
+void note_unfinished_line() noexcept { unfinished_line = true; }
+
+void erase_unfinished_line() {
+    if (unfinished_line.exchange(false)) (void)write_all(STDERR_FILENO, "\r\033[K");
+}
+
 void complain(std::span<const std::string_view> parts) {
+    erase_unfinished_line();
     std::string line = "trama: ";
     for (const std::string_view part : parts) append_shown(line, part);
     line += '\n';

@@ -51,6 +51,10 @@ private:
     std::array<unsigned char, 1 << 16> buffer_;
 };
 
+/// Notes that an unfinished line stands on the terminal at standard error: whatever is told next erases it first.
+void note_unfinished_line() noexcept;
+void erase_unfinished_line();
+
 /// Writes `trama: <parts>` and a line feed to standard error. Control characters in the parts come out as JSON's escapes.
 void complain(std::span<const std::string_view> parts);
 template <class... Parts>

@@ -3,6 +3,7 @@
 import os
 import pty
 import re
+import resource
 import select
 import subprocess
 import tempfile
@@ -100,13 +101,15 @@ class Candump(ToolCase):
 
 
 class Progress(ToolCase):
-    def shown(self, folder, content, *words):
-        """What the tool says on a terminal while it decodes a large file into one that is none."""
+    def shown(self, folder, content, *words, status=0, limit=resource.RLIM_INFINITY):
+        """What the tool says on a terminal while it decodes a large file into one that is none, of at most `limit` bytes."""
         path = os.path.join(folder, "large")
         with open(path, "wb") as f:
             f.write(content)
         terminal, inner = pty.openpty()
-        with open(os.devnull, "wb") as nowhere, subprocess.Popen([TRAMA, "decode", *words, path], stdout=nowhere, stderr=inner) as tool:
+        into = os.devnull if limit == resource.RLIM_INFINITY else os.path.join(folder, "out")
+        with open(into, "wb") as nowhere, subprocess.Popen([TRAMA, "decode", *words, path], stdout=nowhere, stderr=inner,
+                                                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) as tool:
             os.close(inner)
             said = b""
             while select.select([terminal], [], [], HANG)[0]:
@@ -117,7 +120,7 @@ class Progress(ToolCase):
                 if not part:
                     break
                 said += part
-            self.assertEqual(tool.wait(HANG), 0)
+            self.assertEqual(tool.wait(HANG), status)
         os.close(terminal)
         return said.decode()
 
@@ -131,6 +134,17 @@ class Progress(ToolCase):
             self.assertTrue(said.endswith("\r\x1b[K"), said[-40:])
             places = [int(place) for place in re.findall(r"K(\d+) of", said)]
             self.assertEqual(places, sorted(places))
+
+    def test_goes_before_a_complaint(self):
+        ring = octets("0400108397") * (1 << 20)
+        with tempfile.TemporaryDirectory() as folder:
+            said = self.shown(folder, ring.hex().encode() + b"x", "daisy", "--hex", status=1)
+        self.assertRegex(said, r"left\r\x1b\[Ktrama: decode: line 1, column %d: no hex digit\r\n$" % (2 * len(ring) + 1))
+
+    def test_a_file_that_may_not_grow_is_told_of(self):
+        with tempfile.TemporaryDirectory() as folder:
+            said = self.shown(folder, octets("0400108397") * 10000, "daisy", status=2, limit=1 << 17)
+        self.assertEqual(said, "trama: cannot write: File too large\r\n")
 
     def test_is_silent_where_nobody_looks(self):
         run = trama("decode", "daisy", given=octets("0400108397") * 1000)

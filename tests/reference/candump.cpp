@@ -34,7 +34,7 @@ std::vector<std::string> words(std::string_view line) {
   return found;
 }
 
-// "(12.345678)"; digits behind the ninth are dropped. At most 18000000000 seconds, as the tool's page says.
+// "(12.345678)"; digits behind the ninth are dropped. 18000000001 seconds or more are too many, as the tool's page says.
 std::optional<log_time> parse_time(const std::string& word) {
   if (word.size() < 2 || word.front() != '(' || word.back() != ')') return std::nullopt;
   const std::string inner = word.substr(1, word.size() - 2);

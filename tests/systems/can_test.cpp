@@ -281,16 +281,18 @@ TEST(can_sensor_node, takes_a_clock_of_its_own_from_its_master_and_the_central_o
     EXPECT_EQ(other.news, sensor_node_news::ignored) << "another master's node 2";
     EXPECT_TRUE(other.sent.empty());
     EXPECT_FALSE(n.clock().known());
+    EXPECT_EQ(tell(n, d, {f(0x82, {99, 9, 'C', 20, 11, 4, 1, 12}), f(0x82, {20, 30})}).news, sensor_node_news::ignored);
+    EXPECT_FALSE(n.clock().known()) << "another master's everyone";
     const frames own{f(0x81, {2, 9, 'C', 20, 11, 4, 1, 12}), f(0x81, {20, 30})};
     EXPECT_EQ(tell(n, d, own).sent, own);
     EXPECT_TRUE(n.clock().known());
 }
 
 TEST(can_sensor_node, tells_of_a_number_that_cannot_be_in_a_request_for_it) {
-    const auto hear = [](std::uint8_t to, std::uint32_t id) {
+    const auto hear = [](std::uint8_t addressee, std::uint32_t id) {
         node n(2, can::master_1, all_four);
         device d;
-        const frames century{f(id, {to, 9, 'C', 100, 11, 4, 1, 12}), f(id, {20, 30})};
+        const frames century{f(id, {addressee, 9, 'C', 100, 11, 4, 1, 12}), f(id, {20, 30})};
         std::span<const frame> in(century);
         const auto e = n.next(in, 0, d);
         EXPECT_EQ(n.front(), nullptr);
@@ -302,6 +304,13 @@ TEST(can_sensor_node, tells_of_a_number_that_cannot_be_in_a_request_for_it) {
     EXPECT_EQ(hear(99, 0x80), std::pair(sensor_node_news::silent, trama::errc::bad_number));
     EXPECT_EQ(hear(1, 0x81), std::pair(sensor_node_news::ignored, trama::errc::ok));
     EXPECT_EQ(hear(2, 0x82), std::pair(sensor_node_news::ignored, trama::errc::ok));
+    EXPECT_EQ(hear(99, 0x82), std::pair(sensor_node_news::ignored, trama::errc::ok));
+    for (const std::uint32_t id : {0x80U, 0x81U}) {  // only a clock comes from the central master, too
+        node n(2, can::master_1, all_four);
+        device d;
+        const frames function{f(id, {2, 2, 'F', 'I', 'A', 100, 11, 3}), f(id, {13, 20, 11, 3, 15, 9, 15, 10}), f(id, {23, 30, 5, 0, 0, 0, 0, 0})};
+        EXPECT_EQ(tell(n, d, function).news, id == 0x81 ? sensor_node_news::silent : sensor_node_news::ignored);
+    }
 }
 
 TEST(can_sensor_node, hands_on_the_message_that_it_dealt_with) {
@@ -570,6 +579,20 @@ TEST(can_master, polls_once_a_second_from_the_first_poll_on) {
     EXPECT_TRUE(polled(3100));  // a round begun late does not move those behind it
     EXPECT_FALSE(polled(3998));
     EXPECT_TRUE(polled(3999));
+}
+
+TEST(can_master, counts_a_late_reply_for_the_node_that_it_came_from) {
+    can::master<> m(can::master_1);
+    m.poll(1);
+    tell(m, {}, 0);
+    drain(m, 0U);
+    EXPECT_EQ(tell(m, {}, 201).news, master_news::asks_again);
+    drain(m, 201U);
+    const frames reply{f(0x81, {1, 0, 'R', 0, 0, 0, 0, 0}, 205), f(0x81, {0, 0, 0, 0}, 205)};
+    EXPECT_EQ(tell(m, reply, 205).news, master_news::answered);
+    EXPECT_EQ(tell(m, reply, 206).news, master_news::stray);
+    EXPECT_EQ(m.quality(1)->packets_received, 2U);
+    EXPECT_EQ(m.quality(1)->round_trip.count, 1U);
 }
 
 TEST(can_master, begins_a_round_of_polls_when_the_one_before_is_over) {

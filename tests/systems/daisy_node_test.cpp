@@ -232,6 +232,7 @@ TEST_F(daisy_node, repeats_an_alarm_until_it_is_confirmed_or_the_attempts_are_us
     EXPECT_EQ(tell(n, m, {}, 1200).event.news, node_news::need_more);
     EXPECT_EQ(tell(n, m, {}, 1201).sent, alarm);
     EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0xC9}), 1210).event.news, node_news::confirmed);
+    EXPECT_EQ(n.quality().round_trip.last, 9U) << "of the attempt that was answered";
     EXPECT_EQ(tell(n, m, with_crc({4, 0x11, 0x00, 0xC9}), 1211).event.news, node_news::told) << "confirmed twice";
     EXPECT_EQ(tell(n, m, {}, 5000).event.news, node_news::need_more);
 

@@ -318,6 +318,42 @@ TEST(daisy_controller, takes_no_second_refusal_of_what_was_sent_twice_for_one_of
     EXPECT_EQ(tell(c, encoder_reply, 204).event.news, controller_news::reply);
 }
 
+/// What was sent twice may be refused twice; the second refusal is about nothing that was asked since.
+TEST(daisy_controller, takes_no_second_refusal_for_one_of_the_next_request) {
+    controller c = with_boards({0x11});
+    const octets refusal = with_crc({5, 0x00, 0x11, 0x04, 0x01});
+    const auto refused = [&](std::uint64_t now) { return tell(c, refusal, now).event; };
+    ask(c, daisy::board(1, 1), daisy::dc_motor::dont_stop{}, 0);
+    EXPECT_EQ(tell(c, {}, 201).event.news, controller_news::sent_again);
+    EXPECT_EQ(refused(202).command, 0x47);
+    ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 203);
+    EXPECT_EQ(refused(204).news, controller_news::told);
+    EXPECT_EQ(refused(205).news, controller_news::refused) << "the third is about get_encoder";
+    EXPECT_EQ(c.in_flight(), 0U);
+
+    ask(c, daisy::board(1, 1), daisy::dc_motor::dont_stop{}, 1000);
+    EXPECT_EQ(tell(c, {}, 1201).event.news, controller_news::sent_again);
+    EXPECT_EQ(tell(c, with_crc({4, 0x00, 0x11, 0xC7}), 1202).event.news, controller_news::reply);
+    ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 1203);
+    EXPECT_EQ(refused(1204).command, 0x43) << "the board does what it did once";
+
+    ask(c, daisy::board(1, 1), daisy::dc_motor::dont_stop{}, 2000);
+    EXPECT_EQ(tell(c, {}, 2201).event.news, controller_news::sent_again);
+    EXPECT_EQ(refused(2202).command, 0x47);
+    ask(c, daisy::board(1, 1), daisy::dc_motor::get_encoder{}, 2300);
+    EXPECT_EQ(refused(2403).command, 0x43) << "no refusal takes longer than a time-out";
+}
+
+TEST(daisy_controller, completes_a_call_that_is_home_when_as_many_boards_as_expected_have_answered) {
+    controller c = with_boards({});
+    octets out(daisy::max_packet);
+    ASSERT_TRUE(c.initialise(0, out, 1));
+    EXPECT_EQ(tell(c, with_crc({4, 0xFF, 0x00, 0x01}), 1).event.news, controller_news::removed);
+    EXPECT_EQ(tell(c, {}, 2).event.news, controller_news::need_more);
+    EXPECT_EQ(tell(c, with_crc({5, 0x00, 0x11, 0x81, 'b'}), 3).event.news, controller_news::board);
+    EXPECT_EQ(tell(c, {}, 3).event.news, controller_news::complete);
+}
+
 TEST(daisy_controller, counts_what_each_board_was_sent_and_what_became_of_it) {
     controller c = with_boards({0x11});
     const auto& q = c.boards()[0].quality;

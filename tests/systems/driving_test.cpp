@@ -59,6 +59,8 @@ struct fake_can {
     }
 };
 void store(int, std::uint8_t) {}
+int alarms = 0;
+void on_alarm(daisy::address, const daisy::packet&) { ++alarms; }
 void lights(bool) {}
 
 namespace motor_node {
@@ -157,6 +159,7 @@ bool read_the_encoder(Port& port, daisy::controller<>& controller, std::int32_t&
             const auto event = controller.next(rest, milliseconds(), out);
             write_all(port, std::span(out).first(event.written));
             if (event.news == daisy::controller_news::need_more) break;
+            if (event.news == daisy::controller_news::alarm && !event.again) on_alarm(event.peer, event.packet);
             if (event.peer != wheel || event.command != command) continue;  // about something else
             using enum daisy::controller_news;
             if (event.news == failed || event.news == absent || event.news == refused) return false;
@@ -197,6 +200,12 @@ void run_master(Controller& bus, can::master<>& master) {
             master.sent(milliseconds());
         }
     }
+}
+
+/// Reads node 1 every second; its actuator 0 is to be on.
+bool switch_on(can::master<>& master) {
+    if (!master.poll(1)) return false;                            // as many nodes as it can poll already
+    return bool(master.request(can::set_actuator{1, 0, 0, 1}));   // node, number (put in by the master), actuator, state
 }
 
 struct greenhouse_bed {
@@ -274,6 +283,11 @@ void on_progress(gateway::server<16>& server, std::uint32_t cart_id, gateway::tr
     cart->changed = true;  // `poll` sends the new state
 }
 
+struct house_rules {
+    std::string_view operator()(const gateway::load& order, const gateway::cart*) const { return order.station_id > 400 ? "no such station" : ""; }
+    std::string_view operator()(const auto&, const gateway::cart*) const { return {}; }  // all other orders
+};
+
 template <class Socket>
 void serve(Socket& socket, gateway::server<16>& server) {
     const auto session = server.connect();  // closes nothing: hang up on the connection before
@@ -344,6 +358,19 @@ TEST(driving, a_request_ends_at_once_where_no_board_is_and_where_it_is_refused) 
     EXPECT_EQ(count, -1);
 }
 
+TEST(driving, an_alarm_that_comes_while_a_reply_is_awaited_is_handled) {
+    daisy::node<> board(daisy::board(1, 0), "left wheel");
+    daisy::controller<> controller;
+    fake_port line;
+    report_stress(line, board, 0x3FF);
+    fake_port alarm;
+    alarm.in.assign(line.out.begin(), line.out.end());
+    std::int32_t count = -1;
+    alarms = 0;
+    EXPECT_FALSE(read_the_encoder(alarm, controller, count));
+    EXPECT_EQ(alarms, 1);
+}
+
 TEST(driving, an_alarm_is_sent_once_while_it_waits) {
     daisy::node<> board(daisy::board(1, 0), "left wheel");
     fake_port line;
@@ -364,6 +391,15 @@ TEST(driving, a_byte_ring_keeps_order_and_loses_what_does_not_fit) {
         ASSERT_EQ(ring.take(out), 256U);
         for (int i = 0; i != 256; ++i) ASSERT_EQ(out[static_cast<std::size_t>(i)], i);
     }
+}
+
+TEST(driving, a_master_that_polls_and_is_asked) {
+    can::master<> master(can::master_1);
+    EXPECT_TRUE(switch_on(master));
+    for (std::uint8_t n = 2; n <= 8; ++n) EXPECT_TRUE(master.poll(n));
+    EXPECT_TRUE(switch_on(master)) << "polled already";
+    EXPECT_FALSE(master.poll(9));
+    EXPECT_EQ(master.waiting(), 2U);
 }
 
 TEST(driving, a_master_and_a_node) {
@@ -452,6 +488,22 @@ TEST(driving, a_client_and_a_server) {
         ++states;
     }
     EXPECT_EQ(states, 2);
+}
+
+TEST(driving, a_server_with_rules_of_its_own) {
+    gateway::server<16> server;
+    set_up(server);
+    const auto session = server.connect();
+    for (const std::uint32_t station : {400U, 401U}) {
+        std::array<std::uint8_t, gateway::max_record> order{}, reply{};
+        gateway::load m{};
+        m.cart_id = 1;
+        m.station_id = station;
+        std::span<const std::uint8_t> rest = std::span(order).first(gateway::encode(m, order).value_or(0));
+        const auto event = server.next(session, rest, milliseconds(), reply, house_rules{});
+        EXPECT_EQ(event.news, station == 400 ? gateway::server_news::accepted : gateway::server_news::refused);
+        EXPECT_EQ(event.reason, station == 400 ? "" : "no such station");
+    }
 }
 
 TEST(systems_docs, hold_no_snippet_that_is_not_compiled_here) {

@@ -636,6 +636,7 @@ TEST(gateway_client, gives_up_orders_without_reply_once_each_and_oldest_first) {
     EXPECT_EQ(c.next(none, 161).order.cart_id, 2U);
     EXPECT_EQ(c.next(none, 9999).news, client_news::need_more);
     EXPECT_EQ(c.quality().timeouts, 2U);
+    EXPECT_EQ(c.quality().failures, 2U);
 }
 
 TEST(gateway_client, refuses_what_the_document_does_not_allow_without_using_a_number) {

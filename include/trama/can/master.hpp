@@ -5,7 +5,7 @@
 namespace trama::can {
 
 /// A master: sends requests one at a time, waits for each reply with a time-out, asks again, and polls its nodes' sensors
-/// every `timing::poll`. [can §1..§5]
+/// every `timing::poll`, or when the round before is over. [can §1..§5]
 ///
 /// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
 /// node answers would come between the frames of the reply [D6, D7]. For the same reason the next request waits when one
@@ -94,20 +94,18 @@ private:
             return;
         }
         if (p.envelope().id != id_) return;
-        if (!under_way_) {
-            if (!ended_.is_answered_by(p)) return;
-            ++ended_.replies;  // the next request need not wait for this one any more
+        pending_request& r = under_way_ ? requests_[0] : ended_;
+        if (!r.is_answered_by(p)) return;
+        ++r.replies;
+        polled_node* n = nodes_.find(r.node());
+        if (n != nullptr) n->quality.received(known.shapes[p.index()].frames, now);
+        const std::uint64_t took = now > since_ ? now - since_ : 0;
+        if (!under_way_) {  // the next request need not wait for this reply any more
             since_ = now;
             return;
         }
-        if (!requests_[0].is_answered_by(p)) return;
-        ++requests_[0].replies;
-        const bool right = requests_[0].is_rightly_answered_by(p);
-        const std::uint64_t took = now > since_ ? now - since_ : 0;
-        if (polled_node* n = nodes_.find(requests_[0].node())) {
-            n->quality.received(known.shapes[p.index()].frames, now);
-            if (right) n->quality.round_trip.add(took);
-        }
+        const bool right = r.is_rightly_answered_by(p);
+        if (right && n != nullptr) n->quality.round_trip.add(took);
         if (!right && queue_.holds(id_)) return;  // a late reply: the request is about to be sent again anyway
         since_ = now;
         if (!right) {
@@ -131,7 +129,7 @@ private:
 
     /// What time brings: the poll, the next request, a time-out.
     constexpr void run(std::uint64_t now, master_event& e) noexcept {
-        if (nodes_.count != 0 && now >= next_poll_ && Requests - waiting_ >= nodes_.count && !polls_wait()) {
+        if (nodes_.count != 0 && now >= next_poll_ && Requests - waiting_ >= nodes_.count && !holds_poll(std::span(requests_).first(waiting_))) {
             for (std::size_t i = 0; i != nodes_.count; ++i)
                 if (request(read_sensors{nodes_.all[i].node, 0})) requests_[waiting_ - 1].poll = true;
             const bool in_step = next_poll_ != 0 && now - next_poll_ < timing_.poll;
@@ -148,11 +146,6 @@ private:
         ++line_.timeouts;
         if (polled_node* n = nodes_.find(requests_[0].node())) ++n->quality.timeouts;
         ask_again(e);
-    }
-    constexpr bool polls_wait() const noexcept {
-        for (std::size_t i = 0; i != waiting_; ++i)
-            if (requests_[i].poll) return true;
-        return false;
     }
     /// Whether the time for replies is over. One that has begun is waited for.
     constexpr bool is_over(std::uint64_t now) const noexcept {

@@ -9,7 +9,7 @@ namespace trama::can {
 /// How patient a master is, in the caller's unit of time.
 struct timing {
     std::uint64_t second = 1000;   ///< One second of the calendar in that unit, not 0.
-    std::uint64_t poll = 1000;     ///< From one reading of the sensors to the next: one second. [can §2]
+    std::uint64_t poll = 1000;     ///< From one round of readings to the next, at least: one second. [can §2]
     std::uint64_t timeout = 200;   ///< From the last frame of a request to the moment when it is sent again.
     unsigned attempts = 4;         ///< How often a request is sent in all.
     std::uint64_t partial = 100;   ///< Age at which a partial message is given up; shorter than `timeout`.
@@ -44,7 +44,7 @@ template <class M>
 concept request_message = std::is_same_v<M, define_function> || std::is_same_v<M, read_sensors> || std::is_same_v<M, read_actuator> ||
                           std::is_same_v<M, set_actuator> || std::is_same_v<M, set_clock>;
 
-/// A node whose sensors are read every `timing::poll`.
+/// A node whose sensors are read in every round.
 struct polled_node {
     std::uint8_t node = 0;
     link_quality quality{};  ///< `bytes_…` and `goodput` count frames.
@@ -136,5 +136,12 @@ struct pending_request {
         return valid;
     }
 };
+
+/// Whether one of a round of polls is among them.
+constexpr bool holds_poll(std::span<const pending_request> requests) noexcept {
+    for (const pending_request& r : requests)
+        if (r.poll) return true;
+    return false;
+}
 
 }  // namespace trama::can

@@ -34,7 +34,7 @@ concept node_device = requires(D d, std::uint8_t id, std::uint8_t& state) {
 template <std::size_t Sensors = 4>
 class sensor_node {
 public:
-    /// `self` is the node's number, `master` the identifier that it answers under, `sensors` what it has. Of `t` it uses
+    /// `self` is the node's number, `master` its master's identifier, `sensors` what it has. Of `t` it uses
     /// `second` and `partial`.
     constexpr sensor_node(std::uint8_t self, std::uint32_t master, const std::array<std::uint8_t, Sensors>& sensors, const timing& t = {}) noexcept
         : self_(self), master_(master), sensors_(sensors), reassembler_({central_master, master_1, master_2}, t.partial), calendar_(t.second) {
@@ -84,8 +84,8 @@ public:
 private:
     /// Whether a request is for this node: from its own master, or a clock that the central one sets.
     constexpr bool concerns(std::uint8_t node, bool clock, const envelope& from) const noexcept {
-        if (clock && node == global_node) return true;
-        return node == self_ && (from.id == master_ || (clock && from.id == central_master));
+        const bool addressed = node == self_ || (clock && node == global_node);
+        return addressed && (from.id == master_ || (clock && from.id == central_master));
     }
     template <class M>
     constexpr void take(const M& m, const envelope& from, std::uint64_t now, auto& device, sensor_node_event& e) noexcept {

@@ -45,7 +45,7 @@ inline column_map map_columns_vector(const std::uint8_t* p) noexcept {
 
 /// Classifies the eight columns of a word, first one lowest.
 inline column_map map_word(std::uint64_t word) noexcept {
-    const __m128i x = _mm_cvtsi64_si128(static_cast<long long>(word));
+    const __m128i x = _mm_set_epi64x(0, static_cast<long long>(word));  // 32-bit x86 has no _mm_cvtsi64_si128
     const __m128i value = _mm_xor_si128(x, _mm_set1_epi8('0'));
     const __m128i digit = _mm_cmpeq_epi8(_mm_min_epu8(value, _mm_set1_epi8(9)), value);
     const __m128i both = _mm_unpacklo_epi64(digit, _mm_cmpeq_epi8(x, _mm_set1_epi8(' ')));

@@ -12,7 +12,7 @@ class rate_meter {
 public:
     static constexpr std::size_t steps = 8;
 
-    /// `window` in the caller's unit of time, at least 8; 1 s makes the sum a rate per second.
+    /// `window` in the caller's unit of time, rounded down to a multiple of 8, at least 8; 1 s makes the sum a rate per second.
     constexpr explicit rate_meter(std::uint64_t window) noexcept : step_(std::max<std::uint64_t>(1, window / steps)) {}
 
     constexpr void add(std::uint64_t amount, std::uint64_t now) noexcept {

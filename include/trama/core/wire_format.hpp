@@ -84,7 +84,7 @@ concept wire_format = requires(typename F::decoder d, std::span<const typename F
     { d.next(in) } -> std::convertible_to<basic_event<typename F::packet>>;  // consumes a unit, reports, or says need_more
     { d.finish() };                                                          // the input ends here: `next` reports what is left
     { d.reset() };                                                           // forget everything but the counters
-    { d.pending() } -> std::convertible_to<std::size_t>;                     // units consumed and not yet reported
+    { d.pending() } -> std::convertible_to<std::uint64_t>;                   // units consumed and not yet reported
     { d.counters() } -> std::convertible_to<const counters&>;
     { p.envelope() } -> std::convertible_to<typename F::envelope>;
     { p.index() } -> std::convertible_to<std::size_t>;                       // place in `messages`, or its count

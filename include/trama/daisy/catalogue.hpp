@@ -133,6 +133,15 @@ private:
     }
 };
 inline constexpr catalogue known{};
+static_assert([] {
+    bool all = true;
+    std::size_t at = 0;
+    messages::each([&]<class M>() {
+        const unsigned group = family_of(M::key) == family::common ? 0U : static_cast<unsigned>(family_of(M::key));
+        all = all && (command_of(M::key) & 0x30) == 0 && known.index[catalogue::slot(group, command_of(M::key))] == at++;
+    });
+    return all;
+}(), "each message has a command, 0x00..0x0F or 0x40..0x4F and their responses, that no other of its family has");
 
 /// Index in `messages` of `command` between two boards, or `unknown`. [D3]
 constexpr std::size_t index_of(unsigned destination, unsigned source, unsigned command) noexcept {

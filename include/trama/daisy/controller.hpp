@@ -54,7 +54,7 @@ public:
     }
 
     constexpr const board_list<Boards>& boards() const noexcept { return boards_; }
-    /// Forgets the boards, as before a new `initialise` on a ring that has changed, and who has answered what is under way.
+    /// Forgets the boards, as before a new `initialise` on a ring that has changed, who has answered what is under way, and that it has come home.
     constexpr void forget_boards() noexcept {
         boards_.clear();
         requests_.forget_answers();

@@ -10,8 +10,9 @@ enum class controller_news : std::uint8_t {
     no_room,     ///< `out` is smaller than `max_output`; nothing was consumed.
     reply,       ///< The reply to a request, or one of the replies to a broadcast; in `packet`.
     board,       ///< Likewise, to `init` or `reset`, by a board that was not in the list before.
-    refused,     ///< `peer` sent an `error` with a code from 1 on, in `packet`; the oldest request to it, `command`, is taken for the refused one.
-    complete,    ///< A broadcast has gone round and everyone in the list whom it reaches has answered it, be it by an `error`.
+    refused,     ///< `peer` sent an `error` with a code from 1 on, in `packet`; the oldest request to it that can be meant, `command`, is taken for the refused one.
+    complete,    ///< A broadcast has gone round and everyone in the list whom it reaches has answered it, be it by an `error`; the list holds as many
+                 ///< boards as `initialise` expected. In `packet` the call, if it has come home just now.
     absent,      ///< A request has gone round: no board has its address.
     failed,      ///< No reply after all attempts; of a broadcast: not from everyone.
     sent_again,  ///< A request without a reply in time, or one that somebody reported as damaged.

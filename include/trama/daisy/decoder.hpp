@@ -65,7 +65,7 @@ public:
         counters_ = kept;
     }
     /// Bytes consumed and not yet reported.
-    constexpr std::size_t pending() const noexcept { return held() - release_ + skipped_; }
+    constexpr std::uint64_t pending() const noexcept { return held() - release_ + skipped_; }
     constexpr const trama::counters& counters() const noexcept { return counters_; }
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
@@ -158,8 +158,8 @@ private:
     phase_judge phase_{};
     std::size_t begin_ = 0, end_ = 0;  ///< The kept bytes in the stash.
     std::size_t release_ = 0;          ///< Of them, those that the packet reported last views.
-    std::size_t skipped_ = 0;   ///< Bytes of the loss of step so far.
-    std::size_t rejected_ = 0;  ///< Size of the packet with the bad CRC.
+    std::uint64_t skipped_ = 0;  ///< Bytes of the loss of step so far.
+    std::size_t rejected_ = 0;   ///< Size of the packet with the bad CRC.
     std::size_t probe_ = 0;
     phase_judge::verdict promise_{};  ///< Where the hunt may begin.
     std::uint64_t offset_ = 0;

@@ -133,7 +133,7 @@ constexpr event decoder::fault(errc code, bytes_in& in) noexcept {
 /// Consumes `n` bytes that no packet claims; the first ones are kept for the report.
 constexpr void decoder::skip(std::size_t n, bytes_in& in) noexcept {
     const window w = bytes(in);
-    for (std::size_t i = 0; i != n && skipped_ + i < scratch_.size(); ++i) scratch_[skipped_ + i] = w[i];
+    for (std::size_t i = 0, at = static_cast<std::size_t>(std::min<std::uint64_t>(skipped_, scratch_.size())); i != n && at != scratch_.size();) scratch_[at++] = w[i++];
     skipped_ += n;
     probe_ -= std::min(probe_, n);
     const std::size_t here = std::min(n, held());
@@ -184,7 +184,7 @@ constexpr event decoder::report() noexcept {
     e.code = code_;
     e.offset = offset_;
     e.length = skipped_;
-    e.bytes = {scratch_.data(), std::min<std::size_t>(skipped_, scratch_.size())};
+    e.bytes = {scratch_.data(), static_cast<std::size_t>(std::min<std::uint64_t>(skipped_, scratch_.size()))};
     if (code_ == errc::bad_checksum) {
         e.rejected = {scratch_.data(), rejected_};
         e.received = scratch_[rejected_ - 1];

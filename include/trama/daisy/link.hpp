@@ -10,7 +10,7 @@ namespace trama::daisy {
 struct timing {
     std::uint64_t timeout = 200;  ///< From a request to the moment when it is sent again. Longer than a packet takes round the ring.
     unsigned attempts = 4;        ///< How often a request is sent in all.
-    std::uint64_t idle = 50;      ///< Silence that ends a partial packet and shows where the next one begins; 0: never.
+    std::uint64_t idle = 50;      ///< Silence, from the first call on, that ends a partial packet and shows where the next one begins; 0: never.
     std::uint64_t orphan = 0;     ///< Packets that come by twice within this time are taken off; 0: see `node` and `controller`.
 };
 

@@ -36,6 +36,7 @@ struct request_in_flight {
     std::uint8_t size = 0;
     std::uint8_t expected = 0;   ///< Of a call to everyone: how many boards the list has to hold at its end.
     bool home = false;           ///< Of a broadcast: it has gone round.
+    bool refused = false;        ///< Some board has refused it.
     unsigned attempts = 0;       ///< How often it was sent.
     unsigned allowed = 0;        ///< How often it may be sent in all.
     std::uint64_t first = 0;     ///< When it was sent first.
@@ -96,18 +97,29 @@ public:
         return nullptr;
     }
     /// The oldest request that waits for `peer`, by any command: `error` does not say which one it is about.
-    /// One to a single board comes before a broadcast. A broadcast that was sent once cannot be meant when `peer`, whose
-    /// bit in `answered` is `bit`, has answered it.
+    /// One to a single board comes before a broadcast. A broadcast that `peer`, whose bit in `answered` is `bit`, has answered can be
+    /// meant only if it was sent more than once and refused.
     constexpr request_in_flight* oldest_to(address peer, std::uint64_t bit) noexcept {
         request_in_flight* oldest = nullptr;
         for (request_in_flight& r : requests_) {
             const auto reply = static_cast<std::uint8_t>(r.command() | response_bit);
-            if (!is_waiting(r) || !r.expects(peer, reply) || (r.attempts == 1 && (r.answered & bit) != 0)) continue;
+            if (!is_waiting(r) || !r.expects(peer, reply) || ((r.answered & bit) != 0 && (r.attempts == 1 || !r.refused))) continue;
             const bool nearer = oldest != nullptr && oldest->destination().broadcast() && !r.destination().broadcast();
             const bool wider = oldest != nullptr && !oldest->destination().broadcast() && r.destination().broadcast();
             if (oldest == nullptr || nearer || (!wider && r.first < oldest->first)) oldest = &r;
         }
         return oldest;
+    }
+    /// True when a refusal of `peer` is one more of a request that it has refused already: what was sent more than once may be
+    /// refused as often. Counts it.
+    constexpr bool refused_before(address peer, std::uint64_t now) noexcept {
+        for (request_in_flight& r : requests_) {
+            release(r, now);
+            if (r.now != request_in_flight::state::settling || !r.refused || r.attempts == 1 || !reaches(r.destination(), peer)) continue;
+            --r.attempts;
+            return true;
+        }
+        return false;
     }
     /// The request that came back whole, or null.
     constexpr request_in_flight* same_as(std::span<const std::uint8_t> packet) noexcept {
@@ -150,7 +162,7 @@ public:
         r.now = request_in_flight::state::settling;
         r.latest = now;
     }
-    /// The list of boards that `answered` refers to is a new one; a broadcast has to go round once more, among the new ones.
+    /// The list of boards that `answered` refers to is a new one. A broadcast that was home has to come home once more.
     constexpr void forget_answers() noexcept {
         for (request_in_flight& r : requests_) {
             r.answered = 0;

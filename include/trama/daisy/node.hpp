@@ -28,7 +28,8 @@ public:
     }
 
     /// Sends an alarm, or any request, to `to`: the bytes in `out`. `buffer_too_small` also when there
-    /// is no place for it yet, as in `controller::request`. It is repeated until its reply comes or the attempts are used up.
+    /// is no place for it yet, as in `controller::request`. It is repeated until its reply comes or the attempts are used up;
+    /// refusals, and its coming home, do not end it sooner.
     template <request_message M>
     constexpr result<std::size_t> send(address to, const M& m, std::uint64_t now, std::span<std::uint8_t> out) noexcept {
         static_assert(min_packet + M::layout.max_size <= max_request);
@@ -88,7 +89,7 @@ private:
             request_in_flight* alarm = alarms_.find(p.envelope().source, p.command());
             if (alarm == nullptr) return;
             e.news = node_news::confirmed;
-            line_.round_trip.add(elapsed(alarm->first, now));
+            line_.round_trip.add(elapsed(alarm->latest, now));
             alarms_.finish(*alarm, now);
         } else if (p.key() == common::error::key) {
             resend(p, now, out, e);

@@ -129,7 +129,8 @@ private:
         e.news = lost_ ? client_news::in_doubt : client_news::timed_out;
         e.order = *oldest;
         *oldest = {};
-        ++(lost_ ? quality_.failures : quality_.timeouts);
+        ++quality_.failures;
+        if (!lost_) ++quality_.timeouts;
         return e;
     }
     constexpr client_event judge(const event& e, std::uint64_t now) noexcept {
@@ -182,8 +183,8 @@ private:
 };
 
 /// Whether a cart holds or has just finished a transit of that cargo. Give every transit a cargo_id of its own and no
-/// cart a new one while an order to it is in doubt: its cart_state then tells for certain, since a slot keeps its
-/// content until a new order needs it, and a gateway sends it anew to each new connection.
+/// cart a new one, nor `cancel_transits`, while an order to it waits or is in doubt: its cart_state then tells for certain,
+/// since a slot keeps its content until a new order or a cancellation, and a gateway sends it anew to each new connection.
 constexpr const transit_order* find_cargo(const cart_state& cart, const text<10>& cargo_id) noexcept {
     for (const transit_order& o : cart.orders)
         if (o.use != order_use::unused && o.cargo_id == cargo_id) return &o;

@@ -42,7 +42,7 @@ public:
         counters_ = kept;
     }
     /// Bytes consumed and not yet reported.
-    constexpr std::size_t pending() const noexcept { return length_; }
+    constexpr std::uint64_t pending() const noexcept { return length_; }
     constexpr const trama::counters& counters() const noexcept { return counters_; }
     /// Offset of the first byte not yet reported.
     constexpr std::uint64_t offset() const noexcept { return offset_; }
@@ -103,7 +103,7 @@ private:
         if (used == in.size()) return errc::ok;
         complete = true;
         const bool closed = in[used] == etx;
-        const std::size_t characters = length_ + used - 1;
+        const std::uint64_t characters = length_ + used - 1;
         if (closed) ++used;
         if (foreign_character_) return errc::bad_character;
         if (characters > max_payload) return errc::bad_length;
@@ -115,14 +115,16 @@ private:
         if (foreign_character_) return errc::bad_character;
         return length_ - 1 > max_payload ? errc::bad_length : errc::truncated;
     }
+    constexpr std::size_t in_stash() const noexcept { return static_cast<std::size_t>(std::min<std::uint64_t>(length_, stash_.size())); }
     constexpr void keep(bytes_in taken) noexcept {
-        if (length_ < stash_.size()) copy_bytes(stash_.data() + length_, taken.data(), std::min(taken.size(), stash_.size() - length_));
+        const std::size_t kept = in_stash();
+        copy_bytes(stash_.data() + kept, taken.data(), std::min(taken.size(), stash_.size() - kept));
         length_ += taken.size();
     }
     /// Ends the piece of input at hand, which `in_place` holds unless it is in the stash.
     constexpr event end(errc code, bytes_in in_place) noexcept {
-        const bytes_in all = in_place.empty() ? bytes_in{stash_.data(), std::min(length_, stash_.size())} : in_place.first(std::min(in_place.size(), stash_.size()));
-        const std::size_t length = length_;
+        const bytes_in all = in_place.empty() ? bytes_in{stash_.data(), in_stash()} : in_place.first(std::min(in_place.size(), stash_.size()));
+        const std::uint64_t length = length_;
         length_ = 0;
         std::uint32_t type = 0;
         std::size_t index = unknown;
@@ -153,7 +155,7 @@ private:
     bool draining_ = false;
     bool in_record_ = false;          ///< The piece of input at hand began with STX.
     bool foreign_character_ = false;  ///< The record holds a control or non-ASCII byte.
-    std::size_t length_ = 0;          ///< Bytes of the piece of input at hand, which no event has covered yet.
+    std::uint64_t length_ = 0;        ///< Bytes of the piece of input at hand, which no event has covered yet.
     std::uint64_t offset_ = 0;
     trama::counters counters_{};
     std::array<std::uint8_t, 256> stash_{};  ///< The first of them.

@@ -8,7 +8,7 @@ namespace trama::gateway {
 constexpr bool makes_transit(order_type type) noexcept { return type != order_type::none && transit_types.allows(static_cast<std::int64_t>(type)); }
 
 /// The two transits that a cart can hold. At most one slot each is `previous`, `current` and `next`; a slot that
-/// runs out of use keeps its content until a new order needs the place. [gateway, "Order_use"]
+/// runs out of use keeps its content until a new order needs the place, unless it was cancelled. [gateway, "Order_use"]
 ///
 /// A slot that becomes `current` begins with phase `go_transit`, the first one of a transit that is executed; a
 /// `next` has phase `none`, since it is not executed yet. [gateway, "Transit_phase"]

@@ -129,7 +129,7 @@ struct alarm_on_state {
 };
 using alarm_on_state_reply = reply_to<alarm_on_state>;
 
-/// SWITCH ALARM, board to main controller. [daisy §8.8]
+/// SWITCH ALARM, board to main controller. [daisy §8.8; D4]
 struct switch_alarm {
     daisy::trigger trigger{};
     daisy::state state{};

@@ -172,7 +172,7 @@ struct alarm_on_state {
     friend constexpr bool operator==(const alarm_on_state&, const alarm_on_state&) = default;
 };
 using alarm_on_state_reply = reply_to<alarm_on_state>;
-/// SWITCH ALARM, board to main controller. [daisy §7.13]
+/// SWITCH ALARM, board to main controller. [daisy §7.13; D4]
 struct switch_alarm {
     std::uint8_t switch_id = 0;  ///< 0..5.
     daisy::trigger trigger{};
