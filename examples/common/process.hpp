@@ -1,11 +1,12 @@
 #pragma once
-// What the example programs share: options, time, Ctrl-C, sending without blocking, captures, faults.
+// What the example programs share: options, time, Ctrl-C and other ends, sending without blocking, captures.
 
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -14,7 +15,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +43,33 @@ inline void catch_signals() {
 [[noreturn]] inline void die(const std::string& why) {
     std::fprintf(stderr, "%s%s%s\n", why.c_str(), errno != 0 ? ": " : "", errno != 0 ? std::strerror(errno) : "");
     std::exit(2);
+}
+/// An option's value that cannot be.
+[[noreturn]] inline void refuse(const std::string& why) {
+    std::fprintf(stderr, "%s\n", why.c_str());
+    std::exit(2);
+}
+
+/// What made the program give up, said by `finish`: by then a terminal is as it was.
+struct surrender { bool given = false; std::string why; };
+inline surrender gave_up;
+
+/// The program cannot go on: it ends as on Ctrl-C, but with status 2.
+inline void give_up(const std::string& why) {
+    if (!gave_up.given) gave_up = {true, why};
+    stopped = 1;
+}
+/// Gets out what was printed. When nobody takes it the program comes to its end, without a word if the reader just left.
+inline void flush_output() {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    if (errno == EINTR) std::clearerr(stdout);  // a signal, which ends the program anyway
+    else give_up(errno == EPIPE ? "" : std::string("cannot print: ") + std::strerror(errno));
+}
+/// The last thing that `main` calls. `status`, or 2 if the program gave up.
+inline int finish(int status) {
+    flush_output();
+    if (!gave_up.why.empty()) std::fprintf(stderr, "%s\n", gave_up.why.c_str());
+    return gave_up.given ? 2 : status;
 }
 
 /// Command-line options `--name VALUE` and switches `--name`. Prints the help that `add` collects.
@@ -74,15 +101,13 @@ public:
     }
     const std::string& text(const std::string& name) const { return values_.at(name); }
     bool has(const std::string& name) const { return !text(name).empty(); }
-    /// A number, not negative; a usage error else.
-    unsigned long number(const std::string& name) const {
+    /// A number from `least` to `most`; a usage error else.
+    unsigned long number(const std::string& name, unsigned long least = 0, unsigned long most = UINT32_MAX) const {
         const std::string& v = text(name);
-        char* end = nullptr;
-        const unsigned long n = std::strtoul(v.c_str(), &end, 10);
-        if (v.empty() || *end != '\0' || v[0] == '-') {
-            std::fprintf(stderr, "--%s %s: a number is needed\n", name.c_str(), v.c_str());
-            std::exit(2);
-        }
+        unsigned long n = 0;
+        const auto [end, failed] = std::from_chars(v.data(), v.data() + v.size(), n);
+        if (v.empty() || failed == std::errc::invalid_argument || end != v.data() + v.size()) refuse("--" + name + " " + v + ": a number is needed");
+        if (failed != std::errc{} || n < least || n > most) refuse("--" + name + " " + v + ": not in " + std::to_string(least) + ".." + std::to_string(most));
         return n;
     }
 
@@ -93,15 +118,16 @@ private:
 };
 
 /// A file that everything sent over a line goes into, its folder made if there is none; nothing when no path is given.
+/// Half a capture is none: when it cannot be written the program gives up.
 class capture {
 public:
-    explicit capture(const std::filesystem::path& path) {
+    explicit capture(const std::filesystem::path& path) : path_(path.string()) {
         if (path.empty()) return;
         std::error_code failed;
         if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failed);
         if (!failed) file_ = std::fopen(path.c_str(), "wb");
         else errno = failed.value();
-        if (file_ == nullptr) die(path.string());
+        if (file_ == nullptr) die(path_);
     }
     capture(const capture&) = delete;
     capture& operator=(const capture&) = delete;
@@ -109,50 +135,16 @@ public:
 
     void write(std::span<const std::uint8_t> bytes) {
         if (file_ == nullptr) return;
-        std::fwrite(bytes.data(), 1, bytes.size(), file_);
-        std::fflush(file_);
+        if (std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size() && std::fflush(file_) == 0) return;
+        give_up(path_ + ": " + std::strerror(errno));
+        std::fclose(file_);
+        file_ = nullptr;
     }
     void line(const std::string& text) { write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
 
 private:
+    std::string path_;
     std::FILE* file_ = nullptr;
-};
-
-/// Odds of damage: one in so many bytes or frames; 0 is never.
-struct odds {
-    unsigned long flip = 0, drop = 0, duplicate = 0, delay = 0;
-
-    static void add_to(options& o, const std::string& unit) {
-        o.add("flip", "N", "flip a bit in one of N " + unit, "0");
-        o.add("drop", "N", "lose one of N " + unit, "0");
-        o.add("duplicate", "N", "double one of N " + unit, "0");
-        o.add("delay", "N", "hold one of N pieces up for 30 ms", "0");
-        o.add("seed", "N", "start of the random numbers for all that", "1");
-    }
-    static odds of(const options& o) { return {o.number("flip"), o.number("drop"), o.number("duplicate"), o.number("delay")}; }
-};
-
-/// Decides what happens to the next unit.
-class fate {
-public:
-    fate(const odds& o, unsigned long seed) : odds_(o), random_(static_cast<std::mt19937::result_type>(seed)) {}
-
-    bool flips() { return happens(odds_.flip); }
-    bool drops() { return happens(odds_.drop); }
-    bool doubles() { return happens(odds_.duplicate); }
-    bool delays() { return happens(odds_.delay); }
-    std::uint8_t one_bit() { return static_cast<std::uint8_t>(1U << random_() % 8); }
-    std::uint64_t count() const { return count_; }
-
-private:
-    bool happens(unsigned long one_in) {
-        const bool now = one_in != 0 && random_() % one_in == 0;
-        count_ += now ? 1U : 0U;
-        return now;
-    }
-    odds odds_;
-    std::mt19937 random_;
-    std::uint64_t count_ = 0;
 };
 
 /// Bytes on their way out of a file descriptor that does not block.

@@ -1,6 +1,8 @@
 #pragma once
 // Delivers a number of orders exactly once, whatever becomes of the connection.
 
+#include <random>
+
 #include "link.hpp"
 #include "trama/gateway/cart_table.hpp"
 
@@ -11,7 +13,20 @@ namespace shop {
 /// and a slot keeps its content until the next order for that cart.
 class courier {
 public:
-    courier(gate_link& l, unsigned long orders, unsigned long carts, std::string prefix) : link_(l), total_(orders), carts_(carts), prefix_(std::move(prefix)) {}
+    static constexpr unsigned long most_carts = 99999;  ///< Five columns.
+
+    /// What the cargo_ids of a run begin with if nobody says: something of its own, since the gateway may show transits of
+    /// an earlier run in its slots. Leaves room for the number of the last order.
+    static std::string any_prefix(unsigned long orders) {
+        std::random_device random;
+        std::string prefix;
+        for (std::size_t room = 10 - std::to_string(orders).size(); prefix.size() < std::min<std::size_t>(room, 5);) prefix += "0123456789abcdefghijklmnopqrstuvwxyz"[random() % 36];
+        return prefix;
+    }
+    courier(gate_link& l, unsigned long orders, unsigned long carts, std::string prefix) : link_(l), total_(orders), carts_(carts), prefix_(std::move(prefix)) {
+        const trama::text<10> last(name(total_));
+        if (last.too_long() || !last.printable()) refuse("--prefix " + prefix_ + ": with the number " + std::to_string(total_) + " behind it, it is not ten printable ASCII characters at most");
+    }
 
     bool finished() const { return delivered_ == total_; }
     unsigned long delivered() const { return delivered_; }
@@ -19,15 +34,15 @@ public:
 
     /// Sends what can be sent.
     void work() {
-        for (std::uint32_t id = 1; id <= carts_ && link_.connected(); ++id) {
-            cart& c = at(id);
-            if (c.state != cart::ready) continue;
+        for (auto& [id, c] : table_) {
+            if (c.state != cart::ready || !link_.can_send()) continue;
             if (c.order == 0 && given_ != total_) c.order = ++given_;
             if (c.order == 0) continue;
             const auto number = static_cast<std::uint32_t>(c.order);
             const trama::text<10> cargo(name(c.order));
-            const bool sent = c.order % 2 == 1 ? link_.send(gateway::load{0, id, number * 7 % 12, 0, 0, "", "", cargo}) : link_.send(gateway::unload{0, id, number * 5 % 12, 0, 0, "", "", cargo});
-            if (sent) c.state = cart::asked;
+            const std::string wrong = c.order % 2 == 1 ? link_.send(gateway::load{0, id, number * 7 % 12, 0, 0, "", "", cargo}) : link_.send(gateway::unload{0, id, number * 5 % 12, 0, 0, "", "", cargo});
+            if (wrong.empty()) c.state = cart::asked;
+            else give_up("order " + name(c.order) + ": " + wrong);  // it would be the same for ever
         }
     }
     void heard(const gateway::client_event& e) {

@@ -36,17 +36,19 @@ int main(int argc, char** argv) {
     o.add("timeout", "MS", "patience with a reply", "1000");
     o.add("orders", "N", "deliver N orders, each exactly once, and stop; 0: read orders from the keyboard", "0");
     o.add("carts", "N", "carts that the courier uses", "4");
-    o.add("prefix", "TEXT", "the courier's cargo_ids begin like this", "c");
+    o.add("prefix", "TEXT", "the courier's cargo_ids begin like this; by default with five random characters, fewer for 100000 orders or more");
     o.add("seconds", "N", "stop after N seconds, 0: on Ctrl-C", "0");
     o.add("record", "DIR", "write what comes and goes to DIR/received.gateway and DIR/sent.gateway");
     o.add("quiet", "", "print the courier's summary only");
     o.parse(argc, argv);
     catch_signals();
 
-    gate_link gate(o.text("host"), o.number("port"), o.number("timeout"), o.text("record"));
+    // Whatever is wrong with the options is said before there is a screen.
+    gate_link gate(address_of(o.text("host"), o.number("port", 1, 65535)), o.number("timeout"), o.text("record"));
     const unsigned long orders = o.number("orders");
     const std::uint64_t end = o.number("seconds") != 0 ? now() + 1000 * o.number("seconds") : 0;
-    courier runner(gate, orders, o.number("carts"), o.text("prefix"));
+    const std::string prefix = o.has("prefix") ? o.text("prefix") : courier::any_prefix(orders);
+    courier runner(gate, orders, o.number("carts", 1, courier::most_carts), prefix);
     bool open = true;
     {
         screen display;
@@ -64,21 +66,29 @@ int main(int argc, char** argv) {
                 for (const order_help& h : known_orders) display.say(std::string(h.name) + " " + h.words);
                 return;
             }
-            if (line.empty()) return;
+            if (line.find_first_not_of(" \t") == std::string::npos) return;
             if (const std::string wrong = obey(gate, line); !wrong.empty()) display.say(wrong);
         };
+        if (orders != 0 && !o.has("quiet")) display.say("cargo_ids begin with " + prefix);
         bool reading = orders == 0;
+        std::deque<std::string> lines;  // from a pipe, which waits until they can be sent; someone at a keyboard is told
+        const auto take_line = [&](const std::string& line) {
+            if (display.live()) obey_line(line);
+            else lines.push_back(line);
+        };
         std::uint64_t linger = 0;
         while (stopped == 0 && open && (end == 0 || now() < end) && (orders == 0 || !runner.finished())) {
             if (orders != 0) runner.work();
-            gate.work(20, reading && gate.connected() ? 0 : -1, show, [&] { reading = display.type(obey_line); });
+            const bool listen = reading && (display.live() || (gate.connected() && lines.empty()));
+            gate.work(20, listen ? 0 : -1, show, [&] { reading = display.type(take_line); });
+            for (; open && !lines.empty() && gate.can_send(); lines.pop_front()) obey_line(lines.front());
             display.draw(gate);
-            if (orders == 0 && !reading && linger == 0) linger = now() + 500;  // the replies to what was piped in
+            if (orders == 0 && !reading && lines.empty() && linger == 0) linger = now() + 500;  // the replies to what was piped in
             if (linger != 0 && now() > linger && gate.client().in_flight() == 0) open = false;
         }
     }
-    if (orders == 0) return 0;
+    if (orders == 0) return finish(0);
     std::printf("%lu of %lu orders delivered, %lu of them in doubt for a while, %u connections\n", runner.delivered(), orders, runner.doubtful(), gate.connections());
     std::printf(runner.finished() ? "goal reached\n" : "goal missed\n");
-    return runner.finished() ? 0 : 1;
+    return finish(runner.finished() ? 0 : 1);
 }

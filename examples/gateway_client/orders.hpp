@@ -1,7 +1,8 @@
 #pragma once
 // What can be typed: each order with its words.
 
-#include <optional>
+#include <algorithm>
+#include <charconv>
 #include <sstream>
 
 #include "link.hpp"
@@ -33,42 +34,63 @@ inline std::string completion(const std::string& start) {
     return shared.substr(start.size()) + (fitting.size() == 1 ? " " : "");
 }
 
+/// The words of a line, taken from the front.
+class word_list {
+public:
+    explicit word_list(const std::string& line) {
+        std::istringstream in(line);
+        for (std::string word; in >> word;) words_.push_back(word);
+    }
+    bool more() const { return at_ != words_.size(); }
+    bool digits() const { return more() && words_[at_].find_first_not_of("0123456789") == std::string::npos; }
+    std::string text() { return more() ? words_[at_++] : (good_ = false, std::string{}); }
+    std::uint32_t number() {
+        const std::string word = text();
+        std::uint32_t n = 0;
+        const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), n);
+        good_ = good_ && failed == std::errc{} && end == word.data() + word.size();
+        return n;
+    }
+    /// Every word was what it had to be, and none is left.
+    bool fit() const { return good_ && !more(); }
+
+private:
+    std::vector<std::string> words_;
+    std::size_t at_ = 0;
+    bool good_ = true;
+};
+
 /// Sends the order that `line` spells out. Empty when it was sent, else what is wrong.
 inline std::string obey(gate_link& to, const std::string& line) {
-    std::istringstream words(line);
-    std::string order, a, b;
-    std::uint32_t cart = 0, place = 0;
-    unsigned level = 0;
-    words >> order;
-    const auto want = [&](auto&... values) { return static_cast<bool>((words >> ... >> values)); };
-    const auto outcome = [&](bool good) { return good ? std::string{} : std::string{"not sent: no connection, or a value out of range"}; };
+    word_list words(line);
+    const std::string order = words.text();
+    const auto known = std::find_if(std::begin(known_orders), std::end(known_orders), [&](const order_help& o) { return order == o.name; });
+    if (known == std::end(known_orders)) return order + ": no such order; help lists them";
+    const std::string expected = line + ": expected " + order + (*known->words != '\0' ? " " : "") + known->words;
+    const auto send = [&](const auto& m) {
+        if (!words.fit()) return expected;
+        const std::string wrong = to.send(m);
+        return wrong.empty() ? wrong : line + ": not sent: " + wrong;
+    };
+    if (order == "idle_processing") return send(gateway::idle_processing{});
+    const std::uint32_t cart = words.number();
+    if (order == "cancel_transits") return send(gateway::cancel_transits{0, cart});
+    if (order == "go_parking") return send(gateway::go_parking{0, cart, words.more() ? words.number() : 0});
+    if (order == "go_node") return send(gateway::go_node{0, cart, words.number()});
+    if (order == "cross_granted") return send(gateway::cross_granted{0, cart, words.number()});
     if (order == "load" || order == "transit" || order == "unload") {
-        if (!want(cart, place)) return order + " CART STATION [LEVEL] [CARGO]";
-        words >> level;
-        words.clear();
-        words >> a;
-        const auto l = static_cast<std::uint8_t>(std::min(level, 255U));
-        if (order == "load") return outcome(to.send(gateway::load{0, cart, place, 0, l, "", "", trama::text<10>(a)}));
-        if (order == "transit") return outcome(to.send(gateway::transit{0, cart, place, 0, l, "", "", trama::text<10>(a)}));
-        return outcome(to.send(gateway::unload{0, cart, place, 0, l, "", "", trama::text<10>(a)}));
+        const std::uint32_t station = words.number();
+        const auto level = static_cast<std::uint8_t>(std::min(words.digits() ? words.number() : 0, 255U));
+        const trama::text<10> cargo(words.more() ? words.text() : std::string{});
+        if (order == "load") return send(gateway::load{0, cart, station, 0, level, "", "", cargo});
+        if (order == "transit") return send(gateway::transit{0, cart, station, 0, level, "", "", cargo});
+        return send(gateway::unload{0, cart, station, 0, level, "", "", cargo});
     }
-    if (order == "idle_processing") return outcome(to.send(gateway::idle_processing{}));
-    const bool hook = order == "send_command" || order == "send_inputs" || order == "send_cargo_id";
-    if (hook && want(cart, a, b)) {
-        if (order == "send_command") return outcome(to.send(gateway::send_command{0, cart, trama::text<10>(a), trama::text<10>(b)}));
-        if (order == "send_inputs") return outcome(to.send(gateway::send_inputs{0, cart, trama::text<10>(a), trama::text<10>(b)}));
-        return outcome(to.send(gateway::send_cargo_id{0, cart, trama::text<10>(a), trama::text<10>(b)}));
-    }
-    if (!hook && want(cart)) {
-        const bool has_place = want(place);
-        if (order == "go_parking") return outcome(to.send(gateway::go_parking{0, cart, place}));
-        if (order == "cancel_transits") return outcome(to.send(gateway::cancel_transits{0, cart}));
-        if (order == "go_node" && has_place) return outcome(to.send(gateway::go_node{0, cart, place}));
-        if (order == "cross_granted" && has_place) return outcome(to.send(gateway::cross_granted{0, cart, place}));
-    }
-    for (const order_help& o : known_orders)
-        if (order == o.name) return std::string(o.name) + " " + o.words;
-    return order + ": no such order; help lists them";
+    const trama::text<10> transit(words.text()), what(words.text());
+    if (order == "send_command") return send(gateway::send_command{0, cart, transit, what});
+    if (order == "send_inputs") return send(gateway::send_inputs{0, cart, transit, what});
+    if (order == "send_cargo_id") return send(gateway::send_cargo_id{0, cart, transit, what});
+    return expected;  // help and quit, which stand alone
 }
 
 }  // namespace shop

@@ -13,7 +13,8 @@ class screen {
 public:
     /// On a terminal: keys come one by one, and the table is drawn.
     screen() : live_(isatty(0) == 1 && isatty(1) == 1) {
-        if (!live_ || tcgetattr(0, &before_) != 0) return;
+        live_ = live_ && tcgetattr(0, &before_) == 0;
+        if (!live_) return;
         termios raw = before_;
         raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
         tcsetattr(0, TCSANOW, &raw);
@@ -27,15 +28,17 @@ public:
     screen(const screen&) = delete;
     screen& operator=(const screen&) = delete;
 
+    /// Someone types and reads here; else orders come from a pipe or a file.
+    bool live() const { return live_; }
     /// A message to be read.
     void say(const std::string& text) {
         if (!live_) {
             std::printf("%s\n", text.c_str());
-            std::fflush(stdout);
+            flush_output();
             return;
         }
         messages_.push_back(text);
-        if (messages_.size() > 10) messages_.pop_front();
+        if (messages_.size() > std::size(known_orders)) messages_.pop_front();  // all that help says stays
         changed_ = true;
     }
     void note(const gateway::cart_state& c) {
@@ -46,30 +49,35 @@ public:
         circuit_ = c;
         changed_ = true;
     }
-    /// Takes what was typed; calls `f(line)` for each line. False at the end of the input.
+    /// Takes what was typed; calls `f(line)` for each line, also for one that only the end of a pipe ends. False at the end of the input.
     bool type(const std::function<void(const std::string&)>& f) {
         char keys[256];
         const ssize_t n = read(0, keys, sizeof keys);
+        if (n < 0 && (errno == EINTR || errno == EAGAIN)) return true;
+        if (n <= 0 && !live_ && !line_.empty()) f(std::exchange(line_, {}));
         if (n <= 0) return false;
         for (ssize_t i = 0; i != n; ++i) {
             const char k = keys[i];
             if (k == '\n' || k == '\r') f(std::exchange(line_, {}));
+            else if (!live_) line_ += k;
             else if (k == '\t') complete();
             else if ((k == 127 || k == 8) && !line_.empty()) line_.pop_back();
             else if (k == 4 && line_.empty()) return false;
-            else if (k >= 32) line_ += k;
+            else if (k >= 32 && k != 127) line_ += k;
         }
         changed_ = true;
         return true;
     }
     void draw(const gate_link& l) {
+        changed_ = changed_ || l.connected() != connected_;
         if (!live_ || !changed_ || now() - drawn_ < 50) return;
         changed_ = false;
+        connected_ = l.connected();
         drawn_ = now();
         std::string all = "\033[H";
         const auto row = [&](const std::string& text) { all += text + "\033[K\n"; };
         const auto& q = l.client().quality();
-        row(std::string(l.connected() ? "connected" : "no connection") + ", circuit " + std::string(trama::name_of(circuit_.mode)) + ", " + std::to_string(circuit_.circuit_voltage / 10) + "." + std::to_string(circuit_.circuit_voltage % 10) +
+        row(std::string(connected_ ? "connected" : "no connection") + ", circuit " + std::string(trama::name_of(circuit_.mode)) + ", " + std::to_string(circuit_.circuit_voltage / 10) + "." + std::to_string(circuit_.circuit_voltage % 10) +
             " V, " + std::to_string(q.goodput(now())) + " bytes/s, round trip " + std::to_string(q.round_trip.last) + " ms");
         row(" cart  phase         from    at     to  mm/s  first order                     second order");
         for (const auto& [id, c] : carts_) row(row_of(c));
@@ -102,6 +110,7 @@ private:
 
     bool live_;
     bool changed_ = true;
+    bool connected_ = false;  ///< As drawn.
     std::uint64_t drawn_ = 0;
     termios before_{};
     std::string line_;

@@ -12,12 +12,12 @@ class program {
 public:
     explicit program(const options& o)
         : quiet_(o.has("quiet")), to_gateway_(file(o, "to_gateway")), to_client_(file(o, "to_client")), journal_(o.text("journal")),
-          traffic_(server_, std::min<std::size_t>(o.number("carts"), most_carts), static_cast<std::uint32_t>(std::max(2UL, o.number("nodes"))), o.number("pace"), static_cast<std::uint32_t>(o.number("crossing")), journal_) {
-        unsigned long port = o.number("port");
+          traffic_(server_, o.number("carts", 1, most_carts), static_cast<std::uint32_t>(o.number("nodes", 2, 100000)), o.number("pace"), static_cast<std::uint32_t>(o.number("crossing")), journal_) {
+        unsigned long port = o.number("port", 0, 65535);
         listener_ = listen_on("127.0.0.1", port);
         poller_.watch(listener_, true, false);
         std::printf("listening on port %lu, %zu carts\n", port, server_.carts().size());
-        std::fflush(stdout);
+        flush_output();
     }
 
     void run(std::uint64_t end) {
@@ -106,7 +106,7 @@ private:
         if (quiet_) return;
         std::printf(format, values...);
         std::printf("\n");
-        std::fflush(stdout);
+        flush_output();
     }
 
     bool quiet_;
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     options o("gateway_sim: the gateway of a circuit, with its carts, on TCP\n");
     o.add("port", "N", "port on 127.0.0.1, 0: any that is free", "30000");
     o.add("carts", "N", "carts, 1..64", "4");
-    o.add("nodes", "N", "nodes of the circuit, in a ring", "12");
+    o.add("nodes", "N", "nodes of the circuit, in a ring, 2..100000", "12");
     o.add("pace", "MS", "milliseconds for a segment and for the work at a station", "400");
     o.add("crossing", "NODE", "carts wait for cross_granted before this node, 0: nowhere", "0");
     o.add("seconds", "N", "stop after N seconds, 0: on Ctrl-C", "0");
@@ -136,5 +136,5 @@ int main(int argc, char** argv) {
     o.parse(argc, argv);
     catch_signals();
     program(o).run(o.number("seconds") != 0 ? now() + 1000 * o.number("seconds") : 0);
-    return 0;
+    return finish(0);
 }

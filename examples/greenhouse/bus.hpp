@@ -11,7 +11,7 @@
 
 #include <deque>
 
-#include "common/process.hpp"
+#include "common/faults.hpp"
 #include "trama/can/frame.hpp"
 
 namespace greenhouse {
@@ -135,8 +135,12 @@ private:
         ++frames_;
         char line[64];
         const std::uint64_t t = micros() - began_;
-        int n = std::snprintf(line, sizeof line, "(%llu.%06llu) can0 %03X#", static_cast<unsigned long long>(t / 1000000), static_cast<unsigned long long>(t % 1000000), one.can_id & CAN_SFF_MASK);
-        for (int i = 0; i != one.can_dlc; ++i) n += std::snprintf(line + n, sizeof line - static_cast<std::size_t>(n), "%02X", one.data[i]);
+        const bool wide = (one.can_id & (CAN_EFF_FLAG | CAN_ERR_FLAG)) != 0, remote = (one.can_id & CAN_RTR_FLAG) != 0;
+        // candump keeps the mark of an error frame in the identifier
+        const std::uint32_t id = one.can_id & ((one.can_id & CAN_ERR_FLAG) != 0 ? CAN_ERR_MASK | CAN_ERR_FLAG : wide ? CAN_EFF_MASK : CAN_SFF_MASK);
+        int n = std::snprintf(line, sizeof line, "(%llu.%06llu) can0 %0*X#%s", static_cast<unsigned long long>(t / 1000000), static_cast<unsigned long long>(t % 1000000),
+                              wide ? 8 : 3, id, remote ? "R" : "");
+        for (int i = 0; i != one.can_dlc && !remote; ++i) n += std::snprintf(line + n, sizeof line - static_cast<std::size_t>(n), "%02X", one.data[i]);
         record_.line(std::string(line, static_cast<std::size_t>(n)) + "\n");
         for (const int to : ends_) {
             if (to == from) continue;

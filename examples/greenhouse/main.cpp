@@ -1,58 +1,12 @@
 // A greenhouse in eight processes: a central master with the time, two masters, four nodes, and a hub that is the bus.
 // A day goes by in as many seconds as you like. Run it with --help.
 
-#include <sys/wait.h>
-
-#include "members.hpp"
+#include "common/family.hpp"
+#include "plans.hpp"
 
 namespace {
 
 using namespace greenhouse;
-
-struct plan {
-    std::uint8_t node;
-    define_function function;
-};
-
-define_function continuous(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::continuous_all;
-    return f;
-}
-/// Sensors 0 and 1, from eight in the morning to eight in the evening of the first day.
-define_function by_day(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::interval_specific;
-    f.start = {dawn.year, dawn.month, dawn.day, 8, 0, 0};
-    f.end = {dawn.year, dawn.month, dawn.day, 20, 0, 0};
-    f.sensor_count = 2;
-    f.sensors = {0, 1, 0, 0};
-    return f;
-}
-define_function only_soil(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::continuous_specific;
-    f.sensor_count = 1;
-    f.sensors = {3, 0, 0, 0};
-    return f;
-}
-define_function asleep(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::sleep;
-    return f;
-}
-
-/// How many sensors a node has to report between two moments; -1 if that changes in between, give or take ten minutes.
-int expected_count(const define_function& f, const moment& first, const moment& last) {
-    constexpr std::array<std::uint8_t, 4> all{0, 1, 2, 3};
-    const auto count = [&](std::int64_t at) { return int{can::sensors_at(f, all, can::moment_at(at), true).count}; };
-    const std::int64_t from = can::seconds_of(first) - 600, to = can::seconds_of(last) + 600;
-    return count(from) == count(to) && count(from) == count((from + to) / 2) ? count(from) : -1;
-}
 
 /// For programs that hardly get the processor: how long they may go on when the day is over and the work is not done.
 constexpr std::uint64_t grace = 120000000;
@@ -141,13 +95,14 @@ int govern(port bus, std::uint32_t id, const char* name, const can::timing& t, s
     return good ? 0 : 1;
 }
 
-constexpr std::size_t masters = 3, members = 7;
+constexpr std::size_t masters = 3;
+constexpr std::array names{"the central master", "master 1", "master 2", "node 1", "node 2", "node 3", "node 4"};
 
 int member(std::size_t i, port bus, const can::timing& t, std::uint64_t end) {
     switch (i) {
         case 0: return central(bus, t);
-        case 1: return govern(bus, can::master_1, "master 1", t, end, {{1, continuous(1)}, {2, by_day(2)}});
-        case 2: return govern(bus, can::master_2, "master 2", t, end, {{3, only_soil(3)}, {4, asleep(4)}});
+        case 1: return govern(bus, can::master_1, names[i], t, end, {{1, continuous(1)}, {2, by_day(2)}});
+        case 2: return govern(bus, can::master_2, names[i], t, end, {{3, only_soil(3)}, {4, asleep(4)}});
         case 3: return live(bus, 1, can::master_1, t);
         case 4: return live(bus, 2, can::master_1, t);
         case 5: return live(bus, 3, can::master_2, t);
@@ -166,45 +121,43 @@ int main(int argc, char** argv) {
     o.parse(argc, argv);
     catch_signals();
 
-    hub bus(odds::of(o), o.number("seed"), o.text("record"));
     const int listener = o.has("can") ? open_can(o.text("can")) : -1;
     const bool real = listener >= 0;
+    const odds faults = odds::of(o);
+    if (real && faults.any()) refuse("--flip, --drop, --duplicate and --delay are for the bus of UNIX datagrams: nothing damages the frames on " + o.text("can"));
     if (o.has("can") && !real) std::printf("no CAN interface %s here: using UNIX datagrams\n", o.text("can").c_str());
+    const unsigned long seconds = o.number("seconds");
+    hub bus(faults, o.number("seed"), o.text("record"));
     if (real) bus.listen_to(listener);
-    const can::timing t = patience(o.number("seconds"));
-    const std::uint64_t end = micros() + o.number("seconds") * 1000000;
-    std::array<int, members> ports{};
-    for (int& p : ports) p = real ? open_can(o.text("can")) : bus.add();
-    std::array<pid_t, members> children{};
-    for (std::size_t i = 0; i != members; ++i) {
-        std::fflush(stdout);
-        children[i] = fork();
-        if (children[i] < 0) die("fork");
-        if (children[i] != 0) continue;
-        const int status = member(i, port(ports[i]), t, end);
-        std::fflush(stdout);
-        _exit(status);
-    }
-    // The bus runs until the masters are done.
-    std::size_t left = masters;
-    bool good = true, told = false;
-    while (left != 0) {
+    const can::timing t = patience(seconds);
+    const std::uint64_t end = micros() + seconds * 1000000;
+    std::array<int, names.size()> ports{};
+    for (int& p : ports)
+        if ((p = real ? open_can(o.text("can")) : bus.add()) < 0) die(o.text("can"));
+    family all;
+    for (std::size_t i = 0; i != names.size(); ++i) all.start(names[i], [&] { return member(i, port(ports[i]), t, end); });
+
+    // The bus runs until the masters are done: 1 and 2 by themselves, the others when they are told.
+    int outcome = 0;
+    bool over = false;
+    const auto ended = [&](std::size_t i, int status) {
+        const bool done = !all.alive(1) && !all.alive(2), has_an_end = i == 1 || i == 2 || (i == 0 && done);
+        const bool early = status >= 2 || (!has_an_end && !over && stopped == 0);
+        if (early) all.complain(i, status);
+        if (i < masters || early) outcome = std::max(outcome, early && status != 2 ? 1 : status);
+        over = over || early;
+    };
+    for (bool told = false; all.alive(0) || all.alive(1) || all.alive(2); all.look(ended)) {
         bus.work(10);
-        if (stopped != 0 && !told) for (const pid_t child : children) kill(child, SIGTERM);
-        told = stopped != 0;
-        if (left == 1 && children[0] != 0) kill(children[0], SIGTERM);  // both masters are done
-        for (std::size_t i = 0; i != masters; ++i) {
-            int status = 0;
-            if (children[i] == 0 || waitpid(children[i], &status, WNOHANG) != children[i]) continue;
-            good = good && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-            children[i] = 0;
-            --left;
-        }
+        over = over || stopped != 0;
+        if (over && !told) all.stop_all();
+        told = over;
+        if (!all.alive(1) && !all.alive(2)) all.stop(0);
     }
-    for (std::size_t i = masters; i != members; ++i) kill(children[i], SIGTERM);
-    for (std::size_t i = masters; i != members; ++i) while (waitpid(children[i], nullptr, 0) < 0 && errno == EINTR) {}
+    over = true;
+    all.end(ended);
     std::printf("%llu frames, %llu faults\n", static_cast<unsigned long long>(bus.frames()), static_cast<unsigned long long>(bus.faults()));
-    if (stopped != 0) return 0;
-    std::printf(good ? "goal reached\n" : "goal missed\n");
-    return good ? 0 : 1;
+    if (stopped != 0) return finish(0);
+    std::printf(outcome == 0 ? "goal reached\n" : "goal missed\n");
+    return finish(outcome);
 }

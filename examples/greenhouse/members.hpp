@@ -97,7 +97,7 @@ public:
         if constexpr (sizeof...(A) == 0) std::fputs(format, stdout);
         else std::printf(format, values...);
         std::printf("\n");
-        std::fflush(stdout);
+        flush_output();
     }
     std::size_t open_tasks() const {
         std::size_t n = 0;

@@ -1,10 +1,9 @@
 // A robot in six processes: the main controller and five boards on pseudo-terminals, wired in a ring. Each member reads
 // from the one before it and writes to the one behind it; nobody else sees the bytes. Run it with --help.
 
-#include <sys/wait.h>
-
 #include <algorithm>
 
+#include "common/family.hpp"
 #include "mission.hpp"
 
 namespace {
@@ -12,7 +11,10 @@ namespace {
 using namespace robot;
 
 constexpr std::size_t members = 6;  // the controller, then the boards in the order of their groups
+constexpr unsigned long first_alarm = 1000;  // the battery's value in its first alarm; each one behind it has one less, down to 0
 const daisy::timing patience{120, 25, 25, 0};
+
+struct goal { unsigned long seconds, cycles, alarms, pause; };
 
 /// A board: answers until it is stopped. The battery raises its alarms one after the other.
 template <class Board>
@@ -32,7 +34,7 @@ int live(ends& line, unsigned long alarms) {
         }
         if constexpr (std::is_same_v<Board, battery_board>) {
             if (next >= alarms || now() < alarm_at || node.in_flight() != 0) continue;
-            const auto size = node.send(daisy::board(0, 0), daisy::battery_controller::battery_empty_alarm{static_cast<std::uint16_t>(1000 - next)}, now(), out);
+            const auto size = node.send(daisy::board(0, 0), daisy::battery_controller::battery_empty_alarm{static_cast<std::uint16_t>(first_alarm - next)}, now(), out);
             if (!size) continue;  // the alarm before it is settling
             line.send(std::span(out).first(*size));
             ++next;
@@ -42,12 +44,11 @@ int live(ends& line, unsigned long alarms) {
     return 0;
 }
 
-int control(ends& line, const options& o) {
-    const unsigned long cycles = o.number("cycles"), alarms = o.number("alarms");
-    mission m(line, patience, o.number("seconds") != 0 ? now() + 1000 * o.number("seconds") : 0);
+int control(ends& line, const goal& g) {
+    mission m(line, patience, g.seconds != 0 ? now() + 1000 * g.seconds : 0);
     bool good = m.find_boards(members - 1);
     unsigned long done = 0;
-    while (good && !m.over() && (cycles == 0 || done != cycles)) {
+    while (good && !m.over() && (g.cycles == 0 || done != g.cycles)) {
         const auto count = static_cast<std::int32_t>(1193046 + 4711 * done);
         good = m.set_surely(motor_board::where, daisy::dc_motor::set_encoder{count}, daisy::dc_motor::get_encoder{}, daisy::dc_motor::get_encoder_reply{count});
         const auto angle = static_cast<std::uint8_t>(done % 181);
@@ -60,26 +61,26 @@ int control(ends& line, const options& o) {
         if (!good) break;
         ++done;
         m.say("round %lu: encoder %d, arm %u degrees, %zu distances, battery %u, bin %u", done, count, unsigned{angle}, near->readings.size(), unsigned{battery->value}, unsigned{bin->value});
-        m.idle(o.number("pause"));
+        m.idle(g.pause);
     }
-    while (m.alarms().size() < alarms && !m.over()) m.idle(20);
+    while (m.alarms().size() < g.alarms && !m.over()) m.idle(20);
     const auto& q = m.controller().quality();
     m.say("%zu of %zu boards, %lu rounds, %zu of %lu alarms, %d twice, %d values set anew; %llu retries, %llu time-outs, %llu resynchronisations, %llu bytes skipped, round trip %llu..%llu ms",
-          m.controller().boards().size(), members - 1, done, m.alarms().size(), alarms, m.alarms_twice(), m.set_again(), static_cast<unsigned long long>(q.retries), static_cast<unsigned long long>(q.timeouts),
+          m.controller().boards().size(), members - 1, done, m.alarms().size(), g.alarms, m.alarms_twice(), m.set_again(), static_cast<unsigned long long>(q.retries), static_cast<unsigned long long>(q.timeouts),
           static_cast<unsigned long long>(q.resynchronisations), static_cast<unsigned long long>(q.bytes_skipped), static_cast<unsigned long long>(q.round_trip.least), static_cast<unsigned long long>(q.round_trip.most));
-    if (cycles == 0) return 0;  // no goal but the time
-    const bool reached = done == cycles && m.alarms().size() >= alarms && m.alarms_twice() == 0;
+    if (g.cycles == 0) return 0;  // no goal but the time
+    const bool reached = done == g.cycles && m.alarms().size() >= g.alarms && m.alarms_twice() == 0;
     std::printf(reached ? "goal reached\n" : "goal missed\n");
     return reached ? 0 : 1;
 }
 
-int member(std::size_t i, ends& line, const options& o) {
+int member(std::size_t i, ends& line, const goal& g) {
     switch (i) {
-        case 0: return control(line, o);
+        case 0: return control(line, g);
         case 1: return live<motor_board>(line, 0);
         case 2: return live<servo_board>(line, 0);
         case 3: return live<distance_board>(line, 0);
-        case 4: return live<battery_board>(line, o.number("alarms"));
+        case 4: return live<battery_board>(line, g.alarms);
         default: return live<bin_board>(line, 0);
     }
 }
@@ -90,36 +91,36 @@ int main(int argc, char** argv) {
     options o("robot_ring: a robot's main controller and five boards, six processes in a ring of pseudo-terminals\n");
     o.add("seconds", "N", "stop after N seconds, 0: on Ctrl-C", "0");
     o.add("cycles", "N", "the goal: N rounds of setting and reading back; 0: no goal", "0");
-    o.add("alarms", "N", "alarms that the battery raises", "5");
+    o.add("alarms", "N", "alarms that the battery raises, at most 1001", "5");
     o.add("pause", "MS", "milliseconds between rounds", "300");
     o.add("record", "DIR", "write what goes over each line to DIR/line_N.daisy");
     odds::add_to(o, "bytes");
     o.parse(argc, argv);
     catch_signals();
 
+    const goal g{o.number("seconds"), o.number("cycles"), o.number("alarms", 0, first_alarm + 1), o.number("pause")};
+    const odds faults = odds::of(o);
+    const unsigned long seed = o.number("seed");
     std::array<line, members> lines;  // lines[i] goes from member i to the next one
     for (line& l : lines) l.open();
-    std::array<pid_t, members> children{};
-    for (std::size_t i = 0; i != members; ++i) {
-        std::fflush(stdout);
-        children[i] = fork();
-        if (children[i] < 0) die("fork");
-        if (children[i] != 0) continue;
-        const std::string record = o.has("record") ? o.text("record") + "/line_" + std::to_string(i) + ".daisy" : "";
-        int status = 0;
-        {
-            ends line(lines[(i + members - 1) % members], lines[i], odds::of(o), o.number("seed") + i, record);
-            status = member(i, line, o);
-        }
-        std::fflush(stdout);
-        _exit(status);
+    family robot;
+    for (std::size_t i = 0; i != members; ++i)
+        robot.start(i == 0 ? "the controller" : "board " + std::to_string(i), [&] {
+            const std::string record = o.has("record") ? o.text("record") + "/line_" + std::to_string(i) + ".daisy" : "";
+            ends line(lines[(i + members - 1) % members], lines[i], faults, seed + i, record);
+            return member(i, line, g);
+        });
+    // The controller's end is the end of all. A board has none of its own, and without it the others wait for ever.
+    std::optional<int> outcome;
+    const auto ended = [&](std::size_t i, int status) {
+        const bool early = i == 0 ? status >= 2 : !outcome && stopped == 0;
+        if (early) robot.complain(i, status);
+        if (!outcome && (early || i == 0)) outcome = early && status != 2 ? 1 : status;
+    };
+    while (stopped == 0 && !outcome) {
+        robot.look(ended);
+        usleep(5000);
     }
-    // The controller's end is the end of all.
-    int status = 0;
-    while (waitpid(children[0], &status, 0) < 0 && errno == EINTR) {
-        for (const pid_t child : children) kill(child, SIGTERM);
-    }
-    for (std::size_t i = 1; i != members; ++i) kill(children[i], SIGTERM);
-    for (std::size_t i = 1; i != members; ++i) while (waitpid(children[i], nullptr, 0) < 0 && errno == EINTR) {}
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    robot.end(ended);
+    return finish(outcome.value_or(1));
 }

@@ -90,7 +90,7 @@ public:
         if constexpr (sizeof...(A) == 0) std::fputs(format, stdout);
         else std::printf(format, values...);
         std::printf("\n");
-        std::fflush(stdout);
+        flush_output();
     }
     const daisy::controller<>& controller() const { return controller_; }
     const std::set<unsigned>& alarms() const { return alarms_; }

@@ -5,7 +5,7 @@
 #include <pty.h>
 #include <termios.h>
 
-#include "common/process.hpp"
+#include "common/faults.hpp"
 
 namespace robot {
 

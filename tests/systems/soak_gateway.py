@@ -61,9 +61,10 @@ class Sim:
         return collections.Counter(line.split()[3] for line in lines if line.startswith("accepted") and len(line.split()) > 3)
 
 
-def deliver(port, orders, *arguments, seconds=300):
+def deliver(port, orders, *arguments, prefix="c", seconds=300):
+    """A courier's status and summary; without a prefix it finds one of its own."""
     done = subprocess.run([PROGRAM, "--port", str(port), "--orders", str(orders), "--quiet", "--seconds", str(seconds),
-                           *map(str, arguments)], capture_output=True, text=True, timeout=seconds + 30)
+                           *(["--prefix", prefix] if prefix else []), *map(str, arguments)], capture_output=True, text=True, timeout=seconds + 30)
     return done.returncode, done.stdout
 
 
@@ -155,10 +156,65 @@ class Shell(unittest.TestCase):
                                   capture_output=True, text=True, timeout=120)
             self.assertEqual(done.returncode, 0)
             self.assertIn("load 0 for cart 1 accepted: transit T000000001", done.stdout)
-            self.assertIn("value out of range", done.stdout)
+            self.assertIn("load 1 3 17: not sent: level: out_of_range", done.stdout)
             self.assertIn("lod: no such order", done.stdout)
             self.assertIn("idle_processing 1 for cart 0 accepted", done.stdout)
             self.assertEqual(sim.accepted(), {"box": 1})
+
+    def test_obeys_more_orders_from_a_pipe_than_can_wait_for_replies_and_a_last_line_without_its_end(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--carts", 64, "--quiet") as sim:
+            lines = ["idle_processing"] * 200 + [f"load {1 + i} 3 0 box{i}" for i in range(64)]
+            done = subprocess.run([PROGRAM, "--port", str(sim.port)], input="\n".join(lines), capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual(done.stdout.count(" accepted"), 264, done.stdout)
+            self.assertEqual(sim.accepted(), {f"box{i}": 1 for i in range(64)})
+
+    def test_sends_nothing_for_words_that_it_does_not_understand(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
+            wrong = ["go_parking 1 x5", "go_node 2", "go_node 2 9 9", "load 1 3 2 box 4", "cancel_transits -1", "quit 1 a b"]
+            done = subprocess.run([PROGRAM, "--port", str(sim.port)], input="\n".join(wrong), capture_output=True, text=True, timeout=120)
+            self.assertEqual([line.split(": expected")[0] for line in done.stdout.splitlines()], wrong)
+            self.assertIn("0 orders accepted, 0 refused", sim.end()[1])
+
+    def test_listens_to_the_keyboard_while_the_gateway_is_away(self):
+        terminal, inner = pty.openpty()
+        before = termios.tcgetattr(inner)
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
+            client = subprocess.Popen([PROGRAM, "--port", str(sim.port)], stdin=inner, stdout=inner, start_new_session=True)
+            self.until(terminal, b"\x1b[Hconnected")
+            sim.end()
+        self.until(terminal, b"\x1b[Hno connection")
+        os.write(terminal, b"load 1 3\n")
+        self.until(terminal, b"load 1 3: not sent: no connection")
+        os.write(terminal, b"help\n")
+        self.assertIn(b"load CART STATION", self.until(terminal, b"quit ").split(b"\x1b[H")[-1])
+        os.write(terminal, b"quit\n")
+        self.assertEqual(client.wait(60), 0)
+        self.assertEqual(termios.tcgetattr(inner), before, "the terminal is not as it was")
+        os.close(terminal)
+        os.close(inner)
+
+    def test_refuses_what_cannot_be_before_it_touches_the_terminal(self):
+        wrong = [("--host", "localhost"), ("--port", "70000"), ("--orders", "1", "--carts", "0"), ("--orders", "1", "--carts", "4294967296"),
+                 ("--orders", "1", "--prefix", "0123456789"), ("--orders", "1", "--prefix", "\t")]
+        terminal, inner = pty.openpty()
+        for arguments in wrong:
+            with self.subTest(arguments=arguments):
+                done = subprocess.run([PROGRAM, *arguments], stdin=inner, stdout=inner, stderr=subprocess.PIPE, text=True, timeout=60)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(arguments[-1].strip(), done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertEqual(select.select([terminal], [], [], 0)[0], [], "the terminal has got something")
+        os.close(terminal)
+        os.close(inner)
+
+    def test_gives_up_when_its_captures_cannot_be_written(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--quiet") as sim:
+            (pathlib.Path(folder) / "sent.gateway").symlink_to("/dev/full")
+            done = subprocess.run([PROGRAM, "--port", str(sim.port), "--orders", "4", "--quiet", "--record", folder],
+                                  capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual(done.stderr.count("No space left on device"), 1, done.stderr)
 
 
 class Gateway(unittest.TestCase):
@@ -175,6 +231,19 @@ class Gateway(unittest.TestCase):
             self.assertEqual(sim.accepted(), {f"c{i}": 1 for i in range(1, 151)})
             self.assertEqual(sim.end()[0], 0)
 
+    def test_a_second_run_does_not_take_the_cargo_of_the_first_for_its_own(self):
+        with tempfile.TemporaryDirectory() as folder, Sim(folder, "--pace", 20, "--quiet") as sim:
+            for _ in range(2):
+                line = BreakingLine(sim.port, 7)
+                line.start()
+                status, output = deliver(line.port, 40, "--timeout", 20000, prefix=None)
+                line.stopped = True
+                line.join()
+                self.assertEqual(status, 0, output)
+            accepted = sim.accepted()
+            self.assertEqual((len(accepted), set(accepted.values())), (80, {1}))
+            self.assertEqual({len(cargo) for cargo in accepted}, {6, 7})  # five characters and a number
+
     def test_what_is_left_of_a_broken_connection_tells_nothing_about_the_next(self):
         unused = {"use": "unused", "type": "none", "node": 0, "station_id": 0, "station_type": 0, "level": 0, "options": "", "transit_id": "",
                   "cargo_id": "", "phase": "none", "inputs": "", "outputs": "", "last_command": ""}
@@ -187,7 +256,8 @@ class Gateway(unittest.TestCase):
         before = state(unused, 0)
         after = state({**unused, "use": "current", "type": "load", "cargo_id": "c1", "phase": "go_transit"}, 0)
         listener = socket.create_server(("127.0.0.1", 0))
-        client = subprocess.Popen([PROGRAM, "--port", str(listener.getsockname()[1]), "--orders", "1", "--carts", "1", "--quiet", "--seconds", "60"],
+        client = subprocess.Popen([PROGRAM, "--port", str(listener.getsockname()[1]), "--orders", "1", "--carts", "1", "--prefix", "c", "--quiet",
+                                   "--seconds", "60"],
                                   stdout=subprocess.PIPE, text=True)
         for clean_up in (client.stdout.close, client.wait, client.kill):  # the last one first
             self.addCleanup(clean_up)

@@ -1,10 +1,14 @@
 """The robot's ring under faults: all boards found, values read back, alarms neither lost nor heard twice."""
 
+import os
 import pathlib
+import signal
+import subprocess
 import tempfile
+import time
 import unittest
 
-from soak_support import decoded, interrupted, run
+from soak_support import PROGRAM, children, decoded, interrupted, run
 
 DAMAGE = ["--flip", 500, "--drop", 900, "--duplicate", 900, "--delay", 80]
 
@@ -38,9 +42,43 @@ class RobotRing(unittest.TestCase):
         self.assertEqual((status, left), (0, 0), output)
         self.assertIn("5 of 5 boards", output)
 
+    def test_ends_when_a_board_dies(self):
+        ring = subprocess.Popen([PROGRAM], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        os.kill(children(ring.pid)[3], signal.SIGKILL)
+        self.assertIn("board 3 has ended early", ring.communicate(timeout=60)[1])
+        self.assertEqual(ring.returncode, 1)
+
+    def test_ends_on_a_signal_at_any_time(self):
+        for delay in (0.003, 0.005, 0.01, 0.02):
+            ring = subprocess.Popen([PROGRAM], stdout=subprocess.DEVNULL)
+            time.sleep(delay)
+            ring.terminate()
+            self.assertIn(ring.wait(60), (0, -signal.SIGTERM))
+
+    def test_its_members_do_not_outlive_it(self):
+        ring = subprocess.Popen([PROGRAM], stdout=subprocess.PIPE)
+        time.sleep(1)
+        ring.kill()
+        ring.communicate(timeout=60)  # the members hold the pipe's other end
+
+    def test_ends_when_nobody_reads_what_it_prints(self):
+        ring = subprocess.Popen([PROGRAM, "--pause", "1"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        ring.stdout.readline()
+        ring.stdout.close()
+        self.assertEqual((ring.stderr.read(), ring.wait(60)), (b"", 2))
+        ring.stderr.close()
+
+    def test_gives_up_when_a_capture_cannot_be_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "line_3.daisy").symlink_to("/dev/full")
+            status, output = run("--record", folder)
+            self.assertEqual((status, output.count("No space left on device")), (2, 1), output)
+
     def test_refuses_options_that_it_does_not_know(self):
         self.assertEqual(run("--flop", 3)[0], 2)
         self.assertEqual(run("--flip", "x")[0], 2)
+        self.assertEqual(run("--alarms", 1002), (2, "--alarms 1002: not in 0..1001\n"))
         self.assertEqual(run("--help")[0], 0)
 
 

@@ -35,6 +35,11 @@ def interrupted(*arguments, after=1.0):
     return child.returncode, output, left
 
 
+def children(process):
+    """The process numbers of its children, the oldest first."""
+    return [int(child) for child in pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+
+
 def decoded(protocol, path):
     """Messages and errors that the tool finds in a capture."""
     done = subprocess.run([TRAMA, "decode", protocol, str(path)], capture_output=True, text=True, timeout=120)
