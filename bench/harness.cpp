@@ -87,7 +87,7 @@ outcome run(race r, int rounds, const std::function<void(std::size_t, std::size_
 
     for (int round = 0; round != rounds; ++round)
         for (std::size_t k = 0; k != n; ++k) {
-            // Another one goes first each time, so that none always runs after the same neighbour.
+            // Another one goes first each time, so that none always has the cold or the warm place; the order round the circle stays.
             const std::size_t i = (k + static_cast<std::size_t>(round)) % n;
             progress(done++, all);
             tally t;

@@ -64,7 +64,8 @@ bool parse_rounds(std::string_view digits, int& rounds) {
     return bad == std::errc{} && end == digits.data() + digits.size() && rounds >= 9;
 }
 
-bool parse(int argc, char** argv, options& o) {
+/// The word that cannot be understood; null when all can.
+const char* parse(int argc, char** argv, options& o) {
     for (int i = 1; i != argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--quick") o.quick = true;
@@ -73,9 +74,9 @@ bool parse(int argc, char** argv, options& o) {
         else if (word == "--list") o.list = true;
         else if (word == "--only" && i + 1 != argc) o.only = argv[++i];
         else if (word == "--rounds" && i + 1 != argc && parse_rounds(argv[++i], o.rounds)) continue;
-        else return false;
+        else return argv[i];
     }
-    return true;
+    return nullptr;
 }
 
 void show_progress(const std::string& id, std::size_t race, std::size_t races, std::size_t done, std::size_t all) {
@@ -117,7 +118,8 @@ int bench(int argc, char** argv) {
         std::fwrite(help.data(), 1, help.size(), stdout);
         return 0;
     }
-    if (!parse(argc, argv, o)) {
+    if (const char* wrong = parse(argc, argv, o)) {
+        std::fprintf(stderr, "trama_bench: %s: no option, or not what it takes (--rounds: a number from 9 on)\n", wrong);
         std::fwrite(help.data(), 1, help.size(), stderr);
         return 2;
     }
@@ -131,7 +133,7 @@ int bench(int argc, char** argv) {
         return e.id.find(o.only) == std::string::npos || (o.check && !wanted_by_target(e.id, sizes));
     });
     if (entries.empty()) {
-        std::fprintf(stderr, "no race is called %s; --list names them all\n", o.only.c_str());
+        std::fprintf(stderr, "no race %sis called %s; --list names them all\n", o.check ? "that a target asks for " : "", o.only.c_str());
         return 2;
     }
     if (o.list) {

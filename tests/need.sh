@@ -5,6 +5,7 @@
 #   build PRESET [TARGET...] configures and builds build/PRESET
 #   ctest_of PRESET          runs its tests
 
+unset CDPATH  # with it cd may print where it went
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$top" || exit 1
 
@@ -20,7 +21,7 @@ present() {
         ninja-build) command -v ninja > /dev/null ;;
         clang) command -v clang++ > /dev/null ;;
         pkg-config) command -v pkg-config > /dev/null ;;
-        libgtest-dev) [ -n "$(find /usr/lib /usr/local/lib -name 'libgtest_main.*' -print -quit 2> /dev/null)" ] ;;
+        libgtest-dev) [ -n "$(find /usr/lib /usr/lib64 /usr/local/lib /usr/local/lib64 -name 'libgtest_main.*' -print -quit 2> /dev/null)" ] ;;
         *) dpkg-query -W -f '${Status}' "$1" 2> /dev/null | grep -q 'install ok installed' ;;
     esac
 }
@@ -52,23 +53,30 @@ need() {
 
 # Package lists may be absent or out of date: fetch them if there are none, or if the install fails.
 apt_install() {
-    local install=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@")
+    # Another apt-get may be at work, as after the start of a machine.
+    local install=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "$@")
     if compgen -G '/var/lib/apt/lists/*_Packages*' > /dev/null && "${install[@]}"; then
         return
     fi
-    "${root[@]}" apt-get update && "${install[@]}"
+    "${root[@]}" apt-get update || { sleep 30 && "${root[@]}" apt-get update; } || return
+    "${install[@]}"
 }
 
 jobs=$(nproc 2> /dev/null || echo 2)
 
-build() {
-    local preset=$1 cache=build/$1/CMakeCache.txt target targets=()
-    shift
-    # A folder made by another generator, or in another place, can't be configured again.
+# A build folder made by another generator, or in another place, can't be configured again.
+drop_foreign() { # FOLDER
+    local cache=$1/CMakeCache.txt
     if [ -f "$cache" ] && ! { grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache" &&
         grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$top" "$cache"; }; then
-        rm -rf "build/$preset"
+        rm -rf "$1"
     fi
+}
+
+build() {
+    local preset=$1 target targets=()
+    shift
+    drop_foreign "build/$preset"
     for target in "$@"; do targets+=(--target "$target"); done
     quietly cmake --preset "$preset" || return 1
     quietly cmake --build --preset "$preset" -j "$jobs" "${targets[@]}"

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     const auto chunk = static_cast<std::size_t>(std::atoi(argv[2])), units = static_cast<std::size_t>(std::atoi(argv[3]));
     if (chunk == 0 || units > longest) return 2;
     if (std::strcmp(argv[1], "daisy") == 0) return run<daisy::format>(bench::hostile_daisy(longest), chunk, units);
+    if (std::strcmp(argv[1], "daisy, none intact") == 0) return run<daisy::format>(bench::hostile_daisy(longest, false), chunk, units);
     if (std::strcmp(argv[1], "can") == 0) return run<can::format>(bench::hostile_can(longest), chunk, units);
     if (std::strcmp(argv[1], "gateway") == 0) return run<gateway::format>(bench::hostile_gateway(longest), chunk, units);
     return 2;

@@ -291,7 +291,7 @@ class provenance_of_code(unittest.TestCase):
             self.assertEqual(provenance.commit(source), "")
 
     def test_a_changed_tree_is_marked(self):
-        git = ["git", "-c", "user.name=t", "-c", "user.email=t@t"]
+        git = ["git", "-c", "user.name=t", "-c", "user.email=t@t", "-c", "commit.gpgsign=false"]
         with tempfile.TemporaryDirectory() as folder:
             source = Path(folder)
             (source / "include").mkdir()

@@ -41,7 +41,8 @@ struct traits<daisy::format> : octet_traits {
     static bool evident(const daisy::envelope& e, const M& m) {
         const bool everyone_called = e.destination == daisy::everyone && daisy::family_of(M::key) == daisy::family::common;
         if (e.source.group() > 6 || (e.destination.group() > 6 && !everyone_called)) return false;
-        if constexpr (requires { m.evident(); }) return m.evident();
+        if constexpr (requires { m.description; }) return all_printable(m.description.bytes().data(), m.description.size());  // a packet in it would have a tab or worse
+        else if constexpr (requires { m.evident(); }) return m.evident();
         else return true;
     }
     /// A ping from the main controller to the first motor board. [daisy §4]

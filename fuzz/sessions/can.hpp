@@ -49,6 +49,7 @@ private:
         else if (what == 6) held_[d_.below(members)] = true;
         else (void)bus(true);
         everyone_hears({}, members);
+        newest_ = std::max(newest_, now_);
     }
 
     void request() {
@@ -117,7 +118,13 @@ private:
         std::span<const can::frame> in = one.all();
         const auto e = outlets_[from].next(in);
         require(e.code == errc::ok || e.code == errc::need_more, "what a member sends are whole messages");
-        if (e.code == errc::ok) require(!visit<F>(e.packet, [](const auto& m) { require(is_valid(m), "what a member sends is valid"); }), "what a member sends loads");
+        if (e.code != errc::ok) return;
+        require(!visit<F>(e.packet, [](const auto& m) { require(is_valid(m), "what a member sends is valid"); }), "what a member sends loads");
+        const std::uint8_t node = e.packet.body()[0];
+        const bool clock = e.packet.body()[2] == 'C', central = e.packet.envelope().id == can::central_master;
+        require(central || (e.packet.envelope().id == can::master_1 && from <= nodes), "members send under their own identifiers");
+        if (from < nodes) require(node == from + 1 && (!central || clock), "a node answers for itself, under the central master's identifier its clock only");
+        if (from == nodes && central) require(clock && node == can::global_node, "a master echoes everyone's clock");
     }
     void carry(can::frame f, std::size_t from, std::size_t fate) {
         if (fate == 0) return;
@@ -148,7 +155,8 @@ private:
     void settle() {
         held_ = {};
         const auto turn = [&] {
-            now_ += bus(false) ? 1 : 10;  // or it would take long until their patience ends
+            if (bus(false)) ++now_;
+            else now_ = std::max(now_ + 10, newest_);  // or it would take long until their patience ends
             everyone_hears({}, members);
         };
         const auto quiet = [&](auto&& done) {
@@ -168,6 +176,22 @@ private:
         quiet([&] { return master_.done(); });
         // A fault may still be told of what came before: of a partial message from before the clock was set back.
         require(master_.machine().quality().failures == failures, "on a good bus a request is answered, whatever came before");
+
+        const std::uint64_t central_failures = central_.machine().quality().failures;
+        central_.set_clocks({2011, 4, 1, 12, 20, 30});
+        can::define_function all{};
+        all.node = 1;
+        all.function = can::function::continuous_all;
+        master_.ask(all);
+        master_.ask(can::read_sensors{1, 0});
+        quiet([&] { return master_.done() && central_.done(); });
+        require(master_.machine().quality().failures == failures && central_.machine().quality().failures == central_failures, "on a good bus clock and function are confirmed");
+        for (const auto& n : nodes_) require(n.clock().known() && n.clock().at(now_) == master_.machine().clock().at(now_), "all have one time");
+        const auto& read = master_.read_last();
+        require(read.node == 1 && read.sensor_count == 4, "a node does what its function says");
+        for (std::uint8_t i = 0; i != 4; ++i) require(read.readings[i] == can::reading{i, beds_[0].read(i)}, "a reading is what the node measures");
+        master_.check();
+        central_.check();
     }
 
     dice d_;
@@ -179,7 +203,7 @@ private:
     std::array<bool, members> held_{};  ///< Whose driver keeps its next frame back for a turn.
     std::array<std::optional<can::frame>, members> mailbox_{};
     std::array<can::reassembler, members> outlets_{};
-    std::uint64_t now_ = 1;
+    std::uint64_t now_ = 1, newest_ = 1;  ///< The latter: the latest time that there was.
 };
 
 }  // namespace trama::fuzz

@@ -50,11 +50,20 @@ public:
         require(e.news != master_news::failed || e.attempt == attempts_, "a request fails after its last attempt");
         const auto at = open_.find(e.message_id);
         const bool asked = at != open_.end() && static_cast<char>(at->second[2]) == e.letter;
+        ++(e.news == master_news::answered ? answers_ : e.news == master_news::failed ? failures_ : retries_);
         require(asked || (polled_ != 0 && e.letter == 'R'), "what a master tells is about a request");
         if (e.news == master_news::asks_again) return true;
+        if (const auto m = decode<can::sensor_readings>(e.packet); asked && m && e.news == master_news::answered) read_ = *m;
         if (e.news == master_news::answered) judge(e, asked ? at->second : octets{e.node, e.message_id, 'R'});
         if (asked) open_.erase(at);
         return true;
+    }
+
+    /// The latest reply to a reading that was asked for.
+    const can::sensor_readings& read_last() const { return read_; }
+    void check() const {
+        const link_quality& q = machine_.quality();
+        require(q.failures == failures_ && q.retries == retries_ && q.round_trip.count == answers_, "a master counts how its requests end");
     }
 
 private:
@@ -78,6 +87,8 @@ private:
     unsigned attempts_;
     can::master<nodes, requests> machine_;
     std::size_t polled_ = 0;
+    std::uint64_t answers_ = 0, failures_ = 0, retries_ = 0;
+    can::sensor_readings read_{};
     std::map<std::uint8_t, octets> open_;  ///< The bodies of the requests that wait, by number.
 };
 

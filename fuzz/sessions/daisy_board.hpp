@@ -42,7 +42,7 @@ struct obliging {
         require(is_valid(m), "a board is asked for valid things only");
         if (may_refuse && d->one_in(16)) return static_cast<daisy::answer>(2 + d->below(8));
         if constexpr (!requires { reply.description; }) {
-            static arena memory;
+            arena memory;
             reply = random_message<daisy::reply_of<M>>(*d, memory);
             if (d->one_in(32)) change_one_value(reply, *d, memory);
         }

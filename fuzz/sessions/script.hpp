@@ -11,7 +11,7 @@ namespace trama::fuzz {
 
 /// Bytes that have been sent and have not arrived.
 struct byte_line {
-    octets under_way;
+    std::deque<std::uint8_t> under_way;
 
     void send(std::span<const std::uint8_t> bytes) { under_way.insert(under_way.end(), bytes.begin(), bytes.end()); }
     /// The first `n` of them, or all.

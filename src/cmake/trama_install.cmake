@@ -31,7 +31,8 @@ install(FILES ${PROJECT_BINARY_DIR}/trama-config.cmake ${PROJECT_BINARY_DIR}/tra
 # Relative to the .pc file, so that an installed copy can be moved as a whole.
 file(RELATIVE_PATH prefix_from_pc ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
 string(REGEX REPLACE "/$" "" prefix_from_pc "${prefix_from_pc}")
-if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+# But for /usr: only when spelled so does pkg-config leave out the system's own folder, which -isystem would spoil.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}" OR CMAKE_INSTALL_PREFIX STREQUAL "/usr")
     set(pc_prefix ${CMAKE_INSTALL_PREFIX})
     set(pc_libdir ${CMAKE_INSTALL_FULL_LIBDIR})
     set(pc_includedir ${CMAKE_INSTALL_FULL_INCLUDEDIR})

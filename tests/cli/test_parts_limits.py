@@ -118,6 +118,7 @@ class Threads(Limits):
         """As a user who may have few processes or none besides this one; root may always have more."""
         tool = os.path.join(self.folder, "trama")
         shutil.copy(TRAMA, tool)
+        os.chmod(tool, 0o755)
         os.chmod(self.folder, 0o755)
         self.store(gateway_traffic(random.Random(6), 60000))
         os.chmod(self.path, 0o644)

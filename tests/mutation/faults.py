@@ -75,6 +75,11 @@ def blanked(text):
     return "\n".join(lines)
 
 
+def code_of(text):
+    """The text without comments and what its strings say."""
+    return " ".join(_LITERAL.sub(lambda m: " " if m.group(0).startswith("/") else '""' if m.group(0).startswith('"') else m.group(0), text).split())
+
+
 def _foreign(text):
     """For each line, whether it stands behind `#else` of vector code: this machine does not compile it."""
     open_blocks = []  # of each #if: [does it choose among vector extensions, is this another machine's branch]

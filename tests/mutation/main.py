@@ -24,7 +24,7 @@ def options(arguments=None):
     p = argparse.ArgumentParser(
         prog="tests/mutants",
         description="Seeds faults into copies of the tree, one at a time, and looks whether the tests notice and whether fuzzing does. "
-                    "Ctrl-C keeps what is known; the same command goes on from there. What is known of a fault is forgotten when its file changes.")
+                    "Ctrl-C keeps what is known; the same command goes on from there. What is known of a fault is forgotten when the code of its file changes.")
     p.add_argument("--jobs", type=int, default=1, metavar="N", help="copies that work side by side (default 1)")
     p.add_argument("--only", default="", metavar="PATTERN", help="faults whose path, kind or id match, such as '*decoder*', crc or 1a2b3c4d")
     p.add_argument("--count", type=int, default=300, metavar="N", help="so many faults: first those of checksums and slots, then a fair sample of the others (default 300; 0: all)")
@@ -54,7 +54,8 @@ NOTHING = "nothing"
 
 
 class Results:
-    """What is known about each fault, on disk after every one. It is forgotten when the file that the fault is in has changed.
+    """What is known about each fault, on disk after every one. It is forgotten when the file that the fault is in has changed in more than
+    comments and texts.
     `digests` are the files' now."""
 
     def __init__(self, path, recorded, digests):
@@ -123,8 +124,12 @@ def noticed(known):
 
 
 def digests():
-    """{file: digest of its content}, of the files that faults are in."""
-    return {path.relative_to(ROOT).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()[:12] for path in faults.files(ROOT)}
+    """{file: digest of its code}, of the files that faults are in."""
+    return {path.relative_to(ROOT).as_posix(): digest(path.read_text(encoding="utf-8")) for path in faults.files(ROOT)}
+
+
+def digest(text):
+    return hashlib.sha256(faults.code_of(text).encode()).hexdigest()[:12]
 
 
 COLUMNS = ("faults", "when compiled", "by tests", "by fuzzing alone", "explained", "survived", "fuzzed", "by seeds", "by 60 s", "not noticed")

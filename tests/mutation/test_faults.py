@@ -33,6 +33,13 @@ class deriving(unittest.TestCase):
         text = "#if defined(__SSE2__)\nint a = b + c;\n#elif defined(__ARM_NEON)\nint a = b - c;\n#else\nint a = 3;\n#endif\nint d = 4 * b;\n"
         self.assertEqual({f.line for f in faults.faults_in("x.hpp", text)}, {2, 8})
 
+    def test_code_is_what_is_left_without_comments_and_texts(self):
+        text = 'int a = 3;  // three\nf("b // c", \'d\');\n'
+        self.assertEqual(faults.code_of(text), "int a = 3; f(\"\", 'd');")
+        self.assertEqual(main.digest(text), main.digest('/// One.\nint a = 3;\n\nf("another text", \'d\');'))
+        self.assertNotEqual(main.digest(text), main.digest(text.replace("3;", "4;")))
+        self.assertNotEqual(main.digest(text), main.digest(text.replace("'d'", "'e'")))
+
     def test_a_fault_changes_one_place(self):
         for fault in faults.faults_in("x.hpp", SAMPLE):
             changed = fault.applied_to(SAMPLE)

@@ -158,7 +158,7 @@ struct set_clock {
     static constexpr std::array<std::uint8_t, 2> frame_lengths{8, 2};
     static constexpr std::string_view name = "set_clock", section = "5";
     static constexpr fields layout{
-        field<&set_clock::node, wire::u8>{"node", {}, "99: everyone"},
+        field<&set_clock::node, wire::u8>{"node", {}, "99: the masters; nodes take the time too"},
         field<&set_clock::message_id, wire::followed_by<wire::u8, 'C'>>{"message_id", message_ids, "repeated in the reply"},
         field<&set_clock::year, wire::century_year>{"year", {}, "century, then year: 20, 11 is 2011"},
         field<&set_clock::month, wire::u8>{"month", months, "month"},

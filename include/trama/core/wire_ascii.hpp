@@ -61,7 +61,7 @@ struct signed_dec : dec<Columns> {
     }
 };
 
-/// `xxx.x` in `Columns` ASCII columns, held in tenths. [gateway, "circuit_state"; D15]
+/// `xxx.x` in `Columns` ASCII columns, held in tenths. [gateway, "Order_type: circuit_state"; D15]
 template <std::size_t Columns>
 struct tenths {
     using value = std::uint16_t;

@@ -14,7 +14,7 @@ consteval auto names(direction) {
     return std::array{named{clockwise, "clockwise"}, named{counter_clockwise, "counter_clockwise"}};
 }
 
-/// Change of a switch that raises an alarm. [daisy §7.12]
+/// Change of a switch that raises an alarm; a board need not know `any_change`. [daisy §7.12]
 enum class trigger : std::uint8_t { none, rising_edge, falling_edge, any_change };
 consteval auto names(trigger) {
     using enum trigger;

@@ -44,7 +44,7 @@ struct client_event {
 /// The client's side: numbers orders, matches replies by src_type, src_msg_id and cart_id, tells which orders got none.
 ///
 /// An order without a reply is never repeated by itself, since it may have been carried out. The cart's next
-/// cart_state tells: `find_cargo`. [gateway, "El servicio"]
+/// cart_state tells: `find_cargo`. [T23]
 template <std::size_t InFlight = 16>
 class client {
     static_assert(InFlight < message_ids::count, "each order in flight has a number of its own");
@@ -184,7 +184,7 @@ private:
 
 /// Whether a cart holds or has just finished a transit of that cargo. Give every transit a cargo_id of its own and no
 /// cart a new one, nor `cancel_transits`, while an order to it waits or is in doubt: its cart_state then tells for certain,
-/// since a slot keeps its content until a new order or a cancellation, and a gateway sends it anew to each new connection.
+/// since a slot keeps its content until a new order or a cancellation, and `server` sends it anew to each new connection [T23].
 constexpr const transit_order* find_cargo(const cart_state& cart, const text<10>& cargo_id) noexcept {
     for (const transit_order& o : cart.orders)
         if (o.use != order_use::unused && o.cargo_id == cargo_id) return &o;

@@ -10,7 +10,7 @@ namespace trama::gateway {
 /// The gateway's side: one connection at a time, orders into slots, replies, and states that nobody asked for.
 ///
 /// A state waits in its cart until `poll` fetches it; a newer one replaces it. So a client that reads slowly gets fewer
-/// states, each of them the latest, and memory stays as it is. [gateway, "El servicio"]
+/// states, each of them the latest, and memory stays as it is. [T23]
 template <std::size_t Carts>
 class server {
 public:

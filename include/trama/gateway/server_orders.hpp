@@ -14,7 +14,7 @@ inline constexpr std::string_view not_ready = "cart takes no orders";
 inline constexpr std::string_view no_transits = "the circuit takes no new transits";
 inline constexpr std::string_view no_station = "that transit has no station";
 inline constexpr std::string_view unknown_transit = "no such transit under way or waiting";
-inline constexpr std::string_view not_waiting = "cart does not wait at that node";
+inline constexpr std::string_view not_waiting = "cart needs no grant for that node";
 inline constexpr std::string_view bad_number = "a field is no number";
 inline constexpr std::string_view out_of_range = "a value is out of range";
 

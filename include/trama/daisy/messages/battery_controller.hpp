@@ -43,7 +43,7 @@ struct set_battery_empty_value {
 
     static constexpr daisy::key key = key_of(family::battery_controller, 0x44);
     static constexpr std::string_view name = "battery_controller.set_battery_empty_value", section = "9.5";
-    static constexpr fields layout{field<&set_battery_empty_value::value, wire::u16>{"value", adc_range, "battery voltage, converter counts"}};
+    static constexpr fields layout{field<&set_battery_empty_value::value, wire::u16>{"value", adc_range, "threshold of battery voltage, converter counts"}};
     friend constexpr bool operator==(const set_battery_empty_value&, const set_battery_empty_value&) = default;
 };
 using set_battery_empty_value_reply = reply_to<set_battery_empty_value>;
@@ -65,7 +65,7 @@ struct set_full_battery_value {
 
     static constexpr daisy::key key = key_of(family::battery_controller, 0x46);
     static constexpr std::string_view name = "battery_controller.set_full_battery_value", section = "9.7";
-    static constexpr fields layout{field<&set_full_battery_value::value, wire::u16>{"value", adc_range, "battery voltage, converter counts"}};
+    static constexpr fields layout{field<&set_full_battery_value::value, wire::u16>{"value", adc_range, "threshold of battery voltage, converter counts"}};
     friend constexpr bool operator==(const set_full_battery_value&, const set_full_battery_value&) = default;
 };
 using set_full_battery_value_reply = reply_to<set_full_battery_value>;

@@ -6,12 +6,12 @@
 /// Commands that every board has. [daisy §3]
 namespace trama::daisy::common {
 
-/// INIT: the boards of the chain report to the main controller. [daisy §3.1]
+/// INIT: starts all boards at the same time, and they report to the main controller. [daisy §3.1; T21]
 struct init : empty_message<family::common, 0x01> {
     static constexpr std::string_view name = "common.init", section = "3.1";
 };
 
-/// RESET: restarts a board. [daisy §3.2]
+/// RESET: restarts a board. [daisy §3.2; T21]
 struct reset : empty_message<family::common, 0x02> {
     static constexpr std::string_view name = "common.reset", section = "3.2";
 };

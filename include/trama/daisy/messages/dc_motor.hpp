@@ -7,9 +7,10 @@ namespace trama::daisy::dc_motor {
 
 inline constexpr std::string_view turning_sense = "turning sense";
 inline constexpr std::string_view counts_per_second = "encoder counts per second";
-inline constexpr std::string_view total_counts = "encoder counts since reset";
+inline constexpr std::string_view total_counts = "accumulated encoder counts";
 inline constexpr std::string_view counts_left = "encoder counts left until the motor stops";
-inline constexpr std::string_view mean_consumption = "motor current, converter counts";
+inline constexpr std::string_view mean_consumption = "motor current, mean of the last second, converter counts";
+inline constexpr std::string_view alarming_consumption = "motor current that raised the alarm, converter counts";
 
 /// SET DIRECTION. [daisy §6.1]
 struct set_direction {
@@ -93,7 +94,7 @@ struct get_encoder_to_stop_reply {
     friend constexpr bool operator==(const get_encoder_to_stop_reply&, const get_encoder_to_stop_reply&) = default;
 };
 
-/// DONT STOP: undoes the two commands before it. [daisy §6.8]
+/// DONT STOP: ends the count of SET ENCODER TO STOP, the motor goes on. [daisy §6.8]
 struct dont_stop : empty_message<family::dc_motor, 0x47> {
     static constexpr std::string_view name = "dc_motor.dont_stop", section = "6.8";
 };
@@ -119,18 +120,18 @@ struct motor_stress_alarm {
 
     static constexpr daisy::key key = key_of(family::dc_motor, 0x49);
     static constexpr std::string_view name = "dc_motor.motor_stress_alarm", section = "6.10";
-    static constexpr fields layout{field<&motor_stress_alarm::consumption, wire::u16>{"consumption", adc_range, mean_consumption}};
+    static constexpr fields layout{field<&motor_stress_alarm::consumption, wire::u16>{"consumption", adc_range, alarming_consumption}};
     friend constexpr bool operator==(const motor_stress_alarm&, const motor_stress_alarm&) = default;
 };
 using motor_stress_alarm_reply = reply_to<motor_stress_alarm>;
 
-/// MOTOR SHUT DOWN ALARM, board to main controller. [daisy §6.11]
+/// MOTOR SHUT DOWN ALARM, board to main controller: after repeated stress alarms the motor is off. [daisy §6.11]
 struct motor_shut_down_alarm {
     std::uint16_t consumption = 0;  ///< 0..1023.
 
     static constexpr daisy::key key = key_of(family::dc_motor, 0x4A);
     static constexpr std::string_view name = "dc_motor.motor_shut_down_alarm", section = "6.11";
-    static constexpr fields layout{field<&motor_shut_down_alarm::consumption, wire::u16>{"consumption", adc_range, mean_consumption}};
+    static constexpr fields layout{field<&motor_shut_down_alarm::consumption, wire::u16>{"consumption", adc_range, alarming_consumption}};
     friend constexpr bool operator==(const motor_shut_down_alarm&, const motor_shut_down_alarm&) = default;
 };
 using motor_shut_down_alarm_reply = reply_to<motor_shut_down_alarm>;

@@ -13,7 +13,7 @@ struct on_distance_sensor {
 
     static constexpr daisy::key key = key_of(family::distance_sensor, 0x40);
     static constexpr std::string_view name = "distance_sensor.on_distance_sensor", section = "8.1";
-    static constexpr fields layout{field<&on_distance_sensor::sensor_id, wire::u8>{"sensor_id", sensor_ids, "sensor"}};
+    static constexpr fields layout{field<&on_distance_sensor::sensor_id, wire::u8>{"sensor_id", sensor_ids, "sensor; 5: the board's LED, if it has one"}};
     friend constexpr bool operator==(const on_distance_sensor&, const on_distance_sensor&) = default;
 };
 using on_distance_sensor_reply = reply_to<on_distance_sensor>;
@@ -24,7 +24,7 @@ struct off_distance_sensor {
 
     static constexpr daisy::key key = key_of(family::distance_sensor, 0x41);
     static constexpr std::string_view name = "distance_sensor.off_distance_sensor", section = "8.2";
-    static constexpr fields layout{field<&off_distance_sensor::sensor_id, wire::u8>{"sensor_id", sensor_ids, "sensor"}};
+    static constexpr fields layout{field<&off_distance_sensor::sensor_id, wire::u8>{"sensor_id", sensor_ids, "sensor; 5: ultrasound sensor or switch"}};
     friend constexpr bool operator==(const off_distance_sensor&, const off_distance_sensor&) = default;
 };
 using off_distance_sensor_reply = reply_to<off_distance_sensor>;
@@ -96,7 +96,7 @@ struct readings_reply {
     }
 };
 
-/// GET VALUE. [daisy §8.5]
+/// GET VALUE: mean values. [daisy §8.5]
 struct get_value {
     std::uint8_t sensors = 0;  ///< Bit n stands for sensor n, 0..0x3F.
 
@@ -107,7 +107,7 @@ struct get_value {
 };
 using get_value_reply = readings_reply<get_value>;
 
-/// GET ONE VALUE. [daisy §8.6]
+/// GET ONE VALUE: single values, without a mean. [daisy §8.6]
 struct get_one_value {
     std::uint8_t sensors = 0;  ///< Bit n stands for sensor n, 0..0x3F.
 
@@ -118,7 +118,7 @@ struct get_one_value {
 };
 using get_one_value_reply = readings_reply<get_one_value>;
 
-/// ALARM ON STATE. [daisy §8.7]
+/// ALARM ON STATE, where sensor 5 is a switch. [daisy §8.7]
 struct alarm_on_state {
     daisy::trigger trigger{};
 

@@ -31,7 +31,7 @@ struct set_full_bin_value {
 
     static constexpr daisy::key key = key_of(family::trash_bin, 0x42);
     static constexpr std::string_view name = "trash_bin.set_full_bin_value", section = "10.3";
-    static constexpr fields layout{field<&set_full_bin_value::value, wire::u16>{"value", adc_range, "filling level, converter counts"}};
+    static constexpr fields layout{field<&set_full_bin_value::value, wire::u16>{"value", adc_range, "threshold of filling level, converter counts"}};
     friend constexpr bool operator==(const set_full_bin_value&, const set_full_bin_value&) = default;
 };
 using set_full_bin_value_reply = reply_to<set_full_bin_value>;

@@ -20,7 +20,7 @@ struct send_command {
         field<&send_command::msg_id, wire::dec<5>>{"msg_id", {}, "counts up with every message and wraps to 0"},
         field<&send_command::cart_id, wire::dec<5>>{"cart_id", {}, "cart"},
         field<&send_command::transit_id, wire::chars<10>>{"transit_id", {}, "as given by transit_ack"},
-        field<&send_command::command, wire::chars<10>>{"command", {}, "command of the application"},
+        field<&send_command::command, wire::chars<10>>{"command", {}, "command for the hook"},
     };
     friend constexpr bool operator==(const send_command&, const send_command&) = default;
 };
@@ -38,7 +38,7 @@ struct send_inputs {
         field<&send_inputs::msg_id, wire::dec<5>>{"msg_id", {}, "counts up with every message and wraps to 0"},
         field<&send_inputs::cart_id, wire::dec<5>>{"cart_id", {}, "cart"},
         field<&send_inputs::transit_id, wire::chars<10>>{"transit_id", {}, "as given by transit_ack"},
-        field<&send_inputs::inputs, wire::chars<10>>{"inputs", {}, "input signals of the application"},
+        field<&send_inputs::inputs, wire::chars<10>>{"inputs", {}, "inputs of the station for the hook"},
     };
     friend constexpr bool operator==(const send_inputs&, const send_inputs&) = default;
 };
@@ -56,7 +56,7 @@ struct send_cargo_id {
         field<&send_cargo_id::msg_id, wire::dec<5>>{"msg_id", {}, "counts up with every message and wraps to 0"},
         field<&send_cargo_id::cart_id, wire::dec<5>>{"cart_id", {}, "cart"},
         field<&send_cargo_id::transit_id, wire::chars<10>>{"transit_id", {}, "as given by transit_ack"},
-        field<&send_cargo_id::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load, free use"},
+        field<&send_cargo_id::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load or transit, free use"},
     };
     friend constexpr bool operator==(const send_cargo_id&, const send_cargo_id&) = default;
 };

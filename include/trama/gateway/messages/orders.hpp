@@ -26,9 +26,9 @@ struct load {
         field<&load::station_id, wire::dec<5>>{"station_id", {}, "station"},
         field<&load::station_type, wire::dec<5>>{"station_type", {}, "identifies the station together with station_id, where used"},
         field<&load::level, wire::dec<2>>{"level", between(0, 15), "level inside the station"},
-        field<&load::options, wire::chars<10>>{"options", {}, "options of the application"},
-        field<&load::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "what the hook sees of the station at first"},
-        field<&load::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load, free use"},
+        field<&load::options, wire::chars<10>>{"options", {}, "modify the order, up to the application"},
+        field<&load::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "inputs of the station for the hook at first"},
+        field<&load::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load or transit, free use"},
     };
     friend constexpr bool operator==(const load&, const load&) = default;
 };
@@ -52,9 +52,9 @@ struct transit {
         field<&transit::station_id, wire::dec<5>>{"station_id", {}, "station"},
         field<&transit::station_type, wire::dec<5>>{"station_type", {}, "identifies the station together with station_id, where used"},
         field<&transit::level, wire::dec<2>>{"level", between(0, 15), "level inside the station"},
-        field<&transit::options, wire::chars<10>>{"options", {}, "options of the application"},
-        field<&transit::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "what the hook sees of the station at first"},
-        field<&transit::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load, free use"},
+        field<&transit::options, wire::chars<10>>{"options", {}, "modify the order, up to the application"},
+        field<&transit::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "inputs of the station for the hook at first"},
+        field<&transit::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load or transit, free use"},
     };
     friend constexpr bool operator==(const transit&, const transit&) = default;
 };
@@ -78,9 +78,9 @@ struct unload {
         field<&unload::station_id, wire::dec<5>>{"station_id", {}, "station"},
         field<&unload::station_type, wire::dec<5>>{"station_type", {}, "identifies the station together with station_id, where used"},
         field<&unload::level, wire::dec<2>>{"level", between(0, 15), "level inside the station"},
-        field<&unload::options, wire::chars<10>>{"options", {}, "options of the application"},
-        field<&unload::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "what the hook sees of the station at first"},
-        field<&unload::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load, free use"},
+        field<&unload::options, wire::chars<10>>{"options", {}, "modify the order, up to the application"},
+        field<&unload::initial_inputs, wire::chars<10>>{"initial_inputs", {}, "inputs of the station for the hook at first"},
+        field<&unload::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load or transit, free use"},
     };
     friend constexpr bool operator==(const unload&, const unload&) = default;
 };

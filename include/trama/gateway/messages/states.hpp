@@ -33,7 +33,7 @@ struct transit_order {
         field<&transit_order::level, wire::dec<2>>{"level", between(0, 15), "level inside the station"},
         field<&transit_order::options, wire::chars<10>>{"options", {}, "options of the order"},
         field<&transit_order::transit_id, wire::chars<10>>{"transit_id", {}, "as given by transit_ack"},
-        field<&transit_order::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load"},
+        field<&transit_order::cargo_id, wire::chars<10>>{"cargo_id", {}, "name of the load or transit"},
         field<&transit_order::phase, wire::dec<1>>{"phase", {}, "progress"},
         field<&transit_order::inputs, wire::chars<10>>{"inputs", {}, "what the hook is to consider"},
         field<&transit_order::outputs, wire::chars<10>>{"outputs", {}, "what the hook offers"},
@@ -68,7 +68,7 @@ struct cart_state {
         field<&cart_state::end_node, wire::dec<5>>{"end_node", {}, "last node of the segment under way"},
         field<&cart_state::next_node, wire::dec<5>>{"next_node", {}, "last node of the next segment"},
         field<&cart_state::speed_mms, wire::signed_dec<5>>{"speed_mms", {}, "speed, mm/s"},
-        field<&cart_state::cross_confirmation_needed, wire::dec<1>>{"cross_confirmation_needed", between(0, 1), "1 while the cart waits for cross_granted at end_node"},
+        field<&cart_state::cross_confirmation_needed, wire::dec<1>>{"cross_confirmation_needed", between(0, 1), "1 while a cross_granted for end_node is needed; without it the cart stops there"},
         field<&cart_state::orders, wire::repeated<wire::record<transit_order>, 2>>{"orders", {}, "the cart's two slots"},
     };
     friend constexpr bool operator==(const cart_state&, const cart_state&) = default;
