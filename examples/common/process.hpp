@@ -61,9 +61,10 @@ inline void give_up(const std::string& why) {
 }
 /// Gets out what was printed. When nobody takes it the program comes to its end, without a word if the reader just left.
 inline void flush_output() {
+    errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
     if (errno == EINTR) std::clearerr(stdout);  // a signal, which ends the program anyway
-    else give_up(errno == EPIPE ? "" : std::string("cannot print: ") + std::strerror(errno));
+    else give_up(errno == EPIPE ? "" : errno == 0 ? "cannot print" : std::string("cannot print: ") + std::strerror(errno));
 }
 /// The last thing that `main` calls. `status`, or 2 if the program gave up.
 inline int finish(int status) {

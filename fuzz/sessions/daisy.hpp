@@ -31,16 +31,11 @@ private:
         if (what < 3) request();
         else if (what == 3) call(d_.below(boards + 1));
         else if (what == 4) alarm(d_.below(boards));
-        else if (what == 5) pause(d_.below(60));
+        else if (what == 5) pass_time(now_, d_.below(60), d_);
         else if (what < 9) damaged_ |= lines_[d_.below(lines_.size())].damage(d_);
         else if (what == 9) forget_boards();
         else deliver(1 + d_.below(12));
         newest_ = std::max(newest_, now_);
-    }
-    /// One inside a packet is damage, too: its end is lost.
-    void pause(std::uint64_t by) {
-        for (const auto& l : lines_) damaged_ |= by > patience.idle && !l.under_way.empty();
-        pass_time(now_, by, d_);
     }
 
     void request() {
@@ -109,8 +104,13 @@ private:
     /// Every line delivers up to `n` bytes; a byte takes one unit of time.
     void deliver(std::size_t n) {
         std::array<octets, boards + 1> arrived;
-        for (std::size_t i = 0; i != arrived.size(); ++i) arrived[i] = lines_[i].take(n);
         ++now_;
+        for (std::size_t i = 0; i != arrived.size(); ++i) {
+            // A pause inside a packet is damage, too: its end is lost.
+            damaged_ |= now_ > delivered_ + patience.idle && !lines_[i].under_way.empty();
+            arrived[i] = lines_[i].take(n);
+        }
+        delivered_ = now_;
         exact<std::uint8_t> out(board::max_output);
         for (std::size_t i = 0; i != boards; ++i) {
             const exact<std::uint8_t> copy{std::span<const std::uint8_t>(arrived[i])};
@@ -233,6 +233,7 @@ private:
     std::array<board, boards> boards_{board{addresses[0], descriptions[0], patience}, board{addresses[1], descriptions[1], patience}, board{addresses[2], descriptions[2], patience}};
     std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.
     std::uint64_t now_ = 0, newest_ = 0;  ///< The latter: the latest time that there was.
+    std::uint64_t delivered_ = 0;         ///< When something was delivered last.
     /// What is known of a request; a call's answers.
     struct call_under_way {
         std::size_t expected = 0;

@@ -144,7 +144,7 @@ class Progress(ToolCase):
     def test_a_file_that_may_not_grow_is_told_of(self):
         with tempfile.TemporaryDirectory() as folder:
             said = self.shown(folder, octets("0400108397") * 10000, "daisy", status=2, limit=1 << 17)
-        self.assertEqual(said, "trama: cannot write: File too large\r\n")
+        self.assertTrue(said.endswith("trama: cannot write: File too large\r\n"), said)
 
     def test_is_silent_where_nobody_looks(self):
         run = trama("decode", "daisy", given=octets("0400108397") * 1000)

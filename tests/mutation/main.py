@@ -80,6 +80,10 @@ class Results:
         part.write_text("{\n" + ",\n".join(lines) + "\n}\n")
         os.replace(part, path)
 
+    def forget_others(self, idents):
+        """A fault whose line has changed in its comment or texts is another one."""
+        self.known = {i: r for i, r in self.known.items() if i in idents}
+
     def add(self, fault, said):
         with self.lock:
             self.known.setdefault(fault.ident, {"fault": fault.what, "file": self.digests[fault.path]}).update(said)
@@ -259,6 +263,7 @@ def main(arguments=None):
     text, survived = table(all_chosen, results.known, reasons)
     (o.work / "results.md").write_text(text + "\n")
     if o.record:
+        results.forget_others({f.ident for f in faults.all_faults(ROOT)})
         results.write(RECORDED)
     print(text)
     return 130 if stop.is_set() else 1 if survived else 0

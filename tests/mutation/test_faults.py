@@ -122,6 +122,13 @@ class keeping_results(unittest.TestCase):
         self.path.write_text('{"code": "1", "faults": {"a": {"fault": "x.hpp: b"}}}')
         self.assertEqual(main.Results(self.path, self.path, {"x.hpp": "1"}).known, {}, "an older form")
 
+    def test_what_is_no_fault_any_more_is_not_recorded(self):
+        self.results.add(self.fault, self.ALL)
+        self.results.forget_others({self.fault.ident})
+        self.assertIn(self.fault.ident, self.results.known)
+        self.results.forget_others({"12345678"})
+        self.assertEqual(self.results.known, {})
+
     def test_a_half_without_a_program_is_asked_again_at_the_next_start(self):
         self.results.add(self.fault, {"tests": "test_can (fails)", "fuzzing": "no program"})
         self.assertEqual(self.missing(), [])

@@ -344,6 +344,32 @@ TEST(daisy_controller, takes_no_second_refusal_for_one_of_the_next_request) {
     EXPECT_EQ(refused(2403).command, 0x43) << "no refusal takes longer than a time-out";
 }
 
+TEST(daisy_controller, holds_one_boards_refusal_against_no_other_board) {
+    const octets replied = with_crc({4, 0x00, 0x12, 0x83});
+    const auto refusal = [](std::uint8_t from) { return with_crc({5, 0x00, from, 0x04, 0x01}); };
+    const auto call_sent_twice = [&](controller& c) {
+        ask(c, daisy::board(1, 15), daisy::common::ping{}, 0);
+        EXPECT_EQ(tell(c, {}, 201).event.news, controller_news::sent_again);
+        EXPECT_EQ(tell(c, refusal(0x11), 202).event.news, controller_news::refused);
+    };
+    controller over = with_boards({0x11, 0x12});
+    call_sent_twice(over);
+    EXPECT_EQ(tell(over, replied, 203).event.news, controller_news::reply);
+    EXPECT_EQ(tell(over, with_crc({4, 0x1F, 0x00, 0x03}), 204).event.news, controller_news::complete);
+    ask(over, daisy::board(1, 2), daisy::dc_motor::get_encoder{}, 205);
+    const auto first = tell(over, refusal(0x12), 206).event;
+    EXPECT_EQ(first.news, controller_news::refused) << "1:2 had replied to the call";
+    EXPECT_EQ(first.command, 0x43);
+    EXPECT_EQ(tell(over, refusal(0x11), 207).event.news, controller_news::told) << "the second one of 1:1";
+
+    controller waits = with_boards({0x11, 0x12, 0x13});
+    call_sent_twice(waits);
+    EXPECT_EQ(tell(waits, replied, 203).event.news, controller_news::reply);
+    ask(waits, daisy::board(1, 15), daisy::dc_motor::get_encoder{}, 205);
+    EXPECT_EQ(tell(waits, refusal(0x12), 206).event.command, 0x43);
+    EXPECT_EQ(tell(waits, refusal(0x11), 207).event.news, controller_news::told);
+}
+
 TEST(daisy_controller, completes_a_call_that_is_home_when_as_many_boards_as_expected_have_answered) {
     controller c = with_boards({});
     octets out(daisy::max_packet);

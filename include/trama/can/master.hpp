@@ -5,7 +5,7 @@
 namespace trama::can {
 
 /// A master: sends requests one at a time, waits for each reply with a time-out, asks again, and polls its nodes' sensors
-/// every `timing::poll`, or when the round before is over. [can §1..§5]
+/// every `timing::poll`, later if the round before is not over. [can §1..§5]
 ///
 /// One request at a time, since requests and replies of all its nodes bear the same identifier: a request sent while a
 /// node answers would come between the frames of the reply [D6, D7]. For the same reason the next request waits when one

@@ -16,11 +16,12 @@ constexpr void controller<InFlight, Boards>::troubled(const packet& p, std::uint
         if (r != nullptr && requests_.may_repeat(*r)) send_again(*r, now, out, e);
         return;
     }
-    if (requests_.refused_before(e.peer, now)) return;
-    request_in_flight* r = requests_.oldest_to(e.peer, boards_.bit_of(e.peer));
+    const std::uint64_t bit = boards_.bit_of(e.peer);
+    if (requests_.refused_before(e.peer, bit, now)) return;
+    request_in_flight* r = requests_.oldest_to(e.peer, bit);
     if (r == nullptr || !note_answer(*r, e.peer)) return;
-    r->refused = true;
     const bool wide = r->destination().broadcast();
+    r->refused |= wide ? bit : 1;
     about(*r, e);
     e.peer = p.envelope().source;
     e.news = controller_news::refused;

@@ -36,12 +36,12 @@ struct request_in_flight {
     std::uint8_t size = 0;
     std::uint8_t expected = 0;   ///< Of a call to everyone: how many boards the list has to hold at its end.
     bool home = false;           ///< Of a broadcast: it has gone round.
-    bool refused = false;        ///< Some board has refused it.
     unsigned attempts = 0;       ///< How often it was sent.
     unsigned allowed = 0;        ///< How often it may be sent in all.
     std::uint64_t first = 0;     ///< When it was sent first.
     std::uint64_t latest = 0;    ///< When it was sent last, or settled.
     std::uint64_t answered = 0;  ///< Of a broadcast: bit n, the n-th board has answered.
+    std::uint64_t refused = 0;   ///< Likewise by an `error`; of a request to one board any bit.
     std::array<std::uint8_t, max_request> octets{};
 
     constexpr std::span<const std::uint8_t> packet() const noexcept { return {octets.data(), size}; }
@@ -98,25 +98,26 @@ public:
     }
     /// The oldest request that waits for `peer`, by any command: `error` does not say which one it is about.
     /// One to a single board comes before a broadcast. A broadcast that `peer`, whose bit in `answered` is `bit`, has answered can be
-    /// meant only if it was sent more than once and refused.
+    /// meant only if it was sent more than once and `peer` refused it.
     constexpr request_in_flight* oldest_to(address peer, std::uint64_t bit) noexcept {
         request_in_flight* oldest = nullptr;
         for (request_in_flight& r : requests_) {
             const auto reply = static_cast<std::uint8_t>(r.command() | response_bit);
-            if (!is_waiting(r) || !r.expects(peer, reply) || ((r.answered & bit) != 0 && (r.attempts == 1 || !r.refused))) continue;
+            if (!is_waiting(r) || !r.expects(peer, reply) || ((r.answered & bit) != 0 && (r.attempts == 1 || (r.refused & bit) == 0))) continue;
             const bool nearer = oldest != nullptr && oldest->destination().broadcast() && !r.destination().broadcast();
             const bool wider = oldest != nullptr && !oldest->destination().broadcast() && r.destination().broadcast();
             if (oldest == nullptr || nearer || (!wider && r.first < oldest->first)) oldest = &r;
         }
         return oldest;
     }
-    /// True when a refusal of `peer` is one more of a request that it has refused already: what was sent more than once may be
-    /// refused as often. Counts it.
-    constexpr bool refused_before(address peer, std::uint64_t now) noexcept {
+    /// True when a refusal of `peer` is the second one of a request that is over: what was sent more than once may be refused
+    /// again. Counts as that one time.
+    constexpr bool refused_before(address peer, std::uint64_t bit, std::uint64_t now) noexcept {
         for (request_in_flight& r : requests_) {
             release(r, now);
-            if (r.now != request_in_flight::state::settling || !r.refused || r.attempts == 1 || !reaches(r.destination(), peer)) continue;
-            --r.attempts;
+            const std::uint64_t its = r.destination().broadcast() ? bit : ~std::uint64_t{0};
+            if (r.now != request_in_flight::state::settling || (r.refused & its) == 0 || r.attempts == 1 || !reaches(r.destination(), peer)) continue;
+            r.refused &= ~its;
             return true;
         }
         return false;
@@ -166,6 +167,7 @@ public:
     constexpr void forget_answers() noexcept {
         for (request_in_flight& r : requests_) {
             r.answered = 0;
+            if (r.destination().broadcast()) r.refused = 0;
             r.home = false;
         }
     }
