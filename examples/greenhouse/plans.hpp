@@ -10,17 +10,17 @@ struct plan {
     define_function function;
 };
 
-inline define_function continuous(std::uint8_t node) {
+inline define_function without_list(std::uint8_t node, can::function what) {
     define_function f{};
     f.node = node;
-    f.function = can::function::continuous_all;
+    f.function = what;
     return f;
 }
+inline define_function continuous(std::uint8_t node) { return without_list(node, can::function::continuous_all); }
+inline define_function asleep(std::uint8_t node) { return without_list(node, can::function::sleep); }
 /// Sensors 0 and 1, from eight in the morning to eight in the evening of the first day.
 inline define_function by_day(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::interval_specific;
+    define_function f = without_list(node, can::function::interval_specific);
     f.start = {dawn.year, dawn.month, dawn.day, 8, 0, 0};
     f.end = {dawn.year, dawn.month, dawn.day, 20, 0, 0};
     f.sensor_count = 2;
@@ -28,17 +28,9 @@ inline define_function by_day(std::uint8_t node) {
     return f;
 }
 inline define_function only_soil(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::continuous_specific;
+    define_function f = without_list(node, can::function::continuous_specific);
     f.sensor_count = 1;
     f.sensors = {3, 0, 0, 0};
-    return f;
-}
-inline define_function asleep(std::uint8_t node) {
-    define_function f{};
-    f.node = node;
-    f.function = can::function::sleep;
     return f;
 }
 

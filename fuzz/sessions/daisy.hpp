@@ -26,6 +26,15 @@ public:
     }
 
 private:
+    /// What is known of a request; a call's answers.
+    struct call_under_way {
+        std::size_t expected = 0;
+        unsigned allowed = 0;  ///< Attempts.
+        octets sent;
+        bool home = false;
+        std::set<std::uint8_t> answered;  ///< By boards that were in the list then.
+    };
+
     void step() {
         const std::size_t what = d_.below(16);
         if (what < 3) request();
@@ -147,13 +156,15 @@ private:
                 round_trips_ += e.news == controller_news::refused ? 0U : 1U;
                 if (!damaged_ && e.news == controller_news::reply) require(given_.holds(e.peer, e.packet), "a reply says what the board said");
                 break;
-            case controller_news::absent: case controller_news::complete: case controller_news::failed:
-                if (e.peer.broadcast()) require((e.news == controller_news::complete) == nobody_is_missing(e), "a call is complete when it is home and everyone has answered");
-                if (const auto at = open_.find({e.peer.octet, e.command}); at != open_.end() && e.news == controller_news::failed)
-                    require(e.attempt == at->second.allowed, "a request fails after its last attempt");
-                require(open_.erase({e.peer.octet, e.command}) == 1, "a request ends once");
+            case controller_news::absent: case controller_news::complete: case controller_news::failed: {
+                const auto at = open_.find({e.peer.octet, e.command});
+                require(at != open_.end(), "a request ends once");
+                if (e.peer.broadcast()) require((e.news == controller_news::complete) == nobody_is_missing(e, at->second), "a call is complete when it is home and everyone has answered");
+                require(e.news != controller_news::failed || e.attempt == at->second.allowed, "a request fails after its last attempt");
+                open_.erase(at);
                 failures_ += e.news == controller_news::complete ? 0U : 1U;
                 break;
+            }
             case controller_news::removed:
                 if (const auto at = open_.find({e.packet.envelope().destination.octet, e.packet.command()}); e.peer == daisy::board(0, 0) && at != open_.end())
                     at->second.home |= std::ranges::equal(at->second.sent, e.packet.bytes());
@@ -171,9 +182,8 @@ private:
         require(q.failures == failures_ && q.retries == retries_ && q.round_trip.count == round_trips_, "a controller counts how its requests end");
         require(controller_.in_flight() == open_.size(), "a controller knows how many requests wait");
     }
-    bool nobody_is_missing(const daisy::controller_event& e) const {
+    bool nobody_is_missing(const daisy::controller_event& e, const call_under_way& o) const {
         const auto& known = controller_.boards();
-        const call_under_way& o = open_.at({e.peer.octet, e.command});
         const bool everybody = std::all_of(known.begin(), known.end(), [&](const auto& b) { return !daisy::reaches(e.peer, b.where) || o.answered.contains(b.where.octet); });
         const bool home = o.home || std::ranges::equal(o.sent, e.packet.bytes());  // the latter: just now
         return home && everybody && known.size() >= o.expected;
@@ -234,14 +244,6 @@ private:
     std::array<byte_line, boards + 1> lines_{};  ///< lines_[i] ends at board i, the last one at the controller.
     std::uint64_t now_ = 0, newest_ = 0;  ///< The latter: the latest time that there was.
     std::uint64_t delivered_ = 0;         ///< When something was delivered last.
-    /// What is known of a request; a call's answers.
-    struct call_under_way {
-        std::size_t expected = 0;
-        unsigned allowed = 0;  ///< Attempts.
-        octets sent;
-        bool home = false;
-        std::set<std::uint8_t> answered;  ///< By boards that were in the list then.
-    };
     std::map<std::pair<std::uint8_t, std::uint8_t>, call_under_way> open_;  ///< What waits, by destination and command.
     replies_given given_;
     bool may_refuse_ = true;  ///< Boards may, for a reason of their own.

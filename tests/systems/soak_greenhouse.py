@@ -1,14 +1,10 @@
 """The greenhouse under faults: every node gets the time and its function and is read all day."""
 
-import os
 import pathlib
-import signal
-import subprocess
 import tempfile
-import time
 import unittest
 
-from soak_support import PROGRAM, children, decoded, interrupted, run
+from soak_support import bereft_of, decoded, interrupted, run, wait_for_orphans
 
 
 class Greenhouse(unittest.TestCase):
@@ -43,17 +39,12 @@ class Greenhouse(unittest.TestCase):
     def test_ends_when_a_member_dies(self):
         for member, name in ((0, "the central master"), (2, "master 2"), (4, "node 2")):
             with self.subTest(name=name):
-                day = subprocess.Popen([PROGRAM], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-                time.sleep(1)
-                os.kill(children(day.pid)[member], signal.SIGKILL)
-                self.assertIn(name + " has ended early", day.communicate(timeout=60)[1])
-                self.assertEqual(day.returncode, 1)
+                status, said = bereft_of(member)
+                self.assertIn(name + " has ended early", said)
+                self.assertEqual(status, 1)
 
     def test_its_members_do_not_outlive_it(self):
-        day = subprocess.Popen([PROGRAM], stdout=subprocess.PIPE)
-        time.sleep(1)
-        day.kill()
-        day.communicate(timeout=20)  # the members hold the pipe's other end
+        wait_for_orphans(20)  # before the day is over
 
     def test_gives_up_when_its_recording_cannot_be_written(self):
         status, output = run("--record", "/dev/full")

@@ -1,6 +1,5 @@
 """The robot's ring under faults: all boards found, values read back, alarms neither lost nor heard twice."""
 
-import os
 import pathlib
 import signal
 import subprocess
@@ -8,7 +7,7 @@ import tempfile
 import time
 import unittest
 
-from soak_support import PROGRAM, children, decoded, interrupted, run
+from soak_support import PROGRAM, bereft_of, decoded, interrupted, run, wait_for_orphans
 
 DAMAGE = ["--flip", 500, "--drop", 900, "--duplicate", 900, "--delay", 80]
 
@@ -43,11 +42,9 @@ class RobotRing(unittest.TestCase):
         self.assertIn("5 of 5 boards", output)
 
     def test_ends_when_a_board_dies(self):
-        ring = subprocess.Popen([PROGRAM], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        time.sleep(1)
-        os.kill(children(ring.pid)[3], signal.SIGKILL)
-        self.assertIn("board 3 has ended early", ring.communicate(timeout=60)[1])
-        self.assertEqual(ring.returncode, 1)
+        status, said = bereft_of(3)
+        self.assertIn("board 3 has ended early", said)
+        self.assertEqual(status, 1)
 
     def test_ends_on_a_signal_at_any_time(self):
         for delay in (0.003, 0.005, 0.01, 0.02):
@@ -57,10 +54,7 @@ class RobotRing(unittest.TestCase):
             self.assertIn(ring.wait(60), (0, -signal.SIGTERM))
 
     def test_its_members_do_not_outlive_it(self):
-        ring = subprocess.Popen([PROGRAM], stdout=subprocess.PIPE)
-        time.sleep(1)
-        ring.kill()
-        ring.communicate(timeout=60)  # the members hold the pipe's other end
+        wait_for_orphans()
 
     def test_ends_when_nobody_reads_what_it_prints(self):
         ring = subprocess.Popen([PROGRAM, "--pause", "1"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)

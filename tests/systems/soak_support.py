@@ -5,6 +5,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import time
 
 PROGRAM = os.environ["PROGRAM"]
 TRAMA = os.environ.get("TRAMA")
@@ -38,6 +39,23 @@ def interrupted(*arguments, after=1.0):
 def children(process):
     """The process numbers of its children, the oldest first."""
     return [int(child) for child in pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+
+
+def bereft_of(member):
+    """The program's status and what it complains of when one of its children is killed after a second."""
+    program = subprocess.Popen([PROGRAM], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    time.sleep(1)
+    os.kill(children(program.pid)[member], signal.SIGKILL)
+    said = program.communicate(timeout=60)[1]
+    return program.returncode, said
+
+
+def wait_for_orphans(patience=60):
+    """Kills the program after a second; TimeoutExpired if a child of it outlives it."""
+    program = subprocess.Popen([PROGRAM], stdout=subprocess.PIPE)
+    time.sleep(1)
+    program.kill()
+    program.communicate(timeout=patience)  # the children hold the pipe's other end
 
 
 def decoded(protocol, path):
