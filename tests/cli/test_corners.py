@@ -35,7 +35,7 @@ class Json(ToolCase):
             self.assertIn(word, run.err)
 
     def test_one_number_in_many_spellings(self):
-        for spelling in ("120", "120.0", "12e1", "12E+1", "1.2e2", "1200e-1", "0.12e3", "120e0", "12000.00e-2"):
+        for spelling in ("120", "120.0", "12e1", "12E+1", "1.2e2", "1200e-1", "0.12e3", "120e0", "12000.00e-2", "12E0000000001", "120e-0000000", "120e+00000000000000000000"):
             self.assertEqual(self.written(idle(spelling)), record(" 50  120"), spelling)
         for spelling in ("0", "-0", "0.0", "0e9", "-0.0e-3", "0e99999999999"):
             self.assertEqual(self.written(idle(spelling)), record(" 50    0"), spelling)

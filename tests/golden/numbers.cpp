@@ -1,4 +1,4 @@
-// Every numeric field of gateway records, all columns over an alphabet, against the slow reader. [gateway; D15, D16]
+// Every content of numbers of gateway records over an alphabet, against the slow reader. [gateway; D15, D16]
 #include <gtest/gtest.h>
 
 #include "golden/slow_numbers.hpp"

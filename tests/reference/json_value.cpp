@@ -217,15 +217,19 @@ std::string plain_number(const json_value& value) {
   long exponent = 0;
   const std::size_t e = text.find_first_of("eE");
   if (e != std::string::npos) {
-    const std::string written = text.substr(e + 1);
-    exponent = written.size() > 6 ? (written[0] == '-' ? -100000 : 100000) : std::stol(written);
+    std::string written = text.substr(e + 1);
+    const bool shrinks = written[0] == '-';
+    written.erase(0, std::min(written.find_first_of("123456789"), written.size()));
+    exponent = written.empty() ? 0 : written.size() > 6 ? 1000000 : std::stol(written);
+    if (shrinks) exponent = -exponent;
     text.resize(e);
   }
   const std::size_t point = text.find('.');
   std::string whole = text.substr(0, point);
   std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
   if ((whole + fraction).find_first_not_of('0') == std::string::npos) return "0";
-  if (exponent > 500 || exponent < -500) throw refused("number out of range");
+  // Beyond these no digit of the text is left near the point.
+  if (exponent > static_cast<long>(fraction.size()) + 500 || exponent < -static_cast<long>(whole.size()) - 500) throw refused("number out of range");
   for (; exponent > 0; --exponent) {
     whole += fraction.empty() ? '0' : fraction[0];
     if (!fraction.empty()) fraction.erase(0, 1);

@@ -68,7 +68,7 @@ private:
     bool known_ = false;
 };
 
-/// The sensors that are active, ascending as the function names them. At most four fit into a reply. [D8]
+/// The sensors that are active, in the order in which the node has them. At most four fit into a reply. [D8]
 struct active_sensors {
     std::uint8_t count = 0;               ///< 0..4.
     std::array<std::uint8_t, 4> ids{};

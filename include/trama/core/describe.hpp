@@ -14,7 +14,7 @@ struct layout_row {
     std::size_t size = 0;      ///< Bytes of one element; 0 if it varies.
     std::size_t stride = 0;    ///< Bytes from one element of the surrounding array to the next.
     std::string_view type;     ///< Name of the wire type.
-    const rule* allowed = nullptr;             ///< Null when every value is allowed.
+    const rule* allowed = nullptr;             ///< Its own rule, its names, or what the wire can carry; null of texts, flag sets and structures without a rule.
     std::string_view meaning;
     char constant = '\0';                      ///< A byte that follows and is always the same.
     bool optional = false;                     ///< Exists only in some messages.
@@ -31,7 +31,7 @@ constexpr const rule& printed_range() noexcept {
     else return wire_rule<W>;
 }
 
-/// What is to be said about a value: the field's own rule, its names, or what the wire can carry; null where it may be anything.
+/// What is to be said about a value: the field's own rule, its names, or what the wire can carry; null of texts, flag sets and structures without a rule.
 template <class W, class V>
 constexpr const rule* documented_rule(const rule& own) noexcept {
     if (!own.any()) return &own;

@@ -17,10 +17,10 @@ enum class controller_news : std::uint8_t {
     failed,      ///< No reply after all attempts; of a broadcast: not from everyone.
     sent_again,  ///< A request without a reply in time, or one that somebody reported as damaged.
     alarm,       ///< An alarm of a board, acknowledged; in `packet`.
-    told,        ///< An `error` or a reply that belongs to nothing in flight, such as a second reply; in `packet`.
+    told,        ///< An `error` or a reply that belongs to nothing in flight, such as a second reply, or a `ping`, which was answered; in `packet`.
     refusal,     ///< A request to the controller that is no alarm was answered by `error` 1.
     passed_on,   ///< A packet between two boards.
-    removed,     ///< A packet that has gone round, or an orphan.
+    removed,     ///< A packet that has gone round, an orphan, or one between boards whose source is not in the list or that memory has no room for.
     fault,       ///< Damaged bytes: `code`, `skipped`. Answered by `error` 0 where that can help.
 };
 
